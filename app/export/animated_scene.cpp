@@ -8,6 +8,7 @@
 
 #include "app/assembly/built_scene.h"
 #include "app/export/moving_node.h"
+#include "app/logs/rig_log.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/hanging_line.h"
 #include "app/pictures/paints.h"
@@ -69,11 +70,14 @@ class SceneWriter {
     const bool of_video = shots.of_video() > 0;
     for (std::size_t i = 0; i < shots.size(); ++i) {
       const Shot shot = shots.at(i);
-      if (shot.video || !of_video) chosen_.push_back(i);
-      if (shot.video || !of_video) times_.push_back(static_cast<float>(shot.time));
+      // A video ends before the final state, a run with it.
+      if (of_video && !shot.video && i + 1 < shots.size()) continue;
+      chosen_.push_back(i);
+      times_.push_back(static_cast<float>(shot.time));
     }
-    const std::size_t stride = (chosen_.size() + kMostSamples - 1) / kMostSamples;
-    for (std::size_t i = 0; i < chosen_.size(); i += stride) {
+    const std::size_t stride = (chosen_.size() + kMostSamples - 2) / (kMostSamples - 1);
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      if (i % stride != 0 && i + 1 < chosen_.size()) continue;
       sampled_.push_back(chosen_[i]);
       sample_times_.push_back(times_[i]);
     }
@@ -176,7 +180,7 @@ class SceneWriter {
                        {"mesh", mesh_of(render::make_shaded_mesh(*part.mesh_P), {}, part.color)}});
     const Shot first = shots_.at(chosen_.front());
     for (const scene::Camera& camera : cameras) {
-      const std::string name = camera.name.empty() ? "camera" : camera.name;
+      const std::string name = name_of(camera);
       nodes.push_back({{"name", name}, {"camera", add_camera(name, view_of(camera, first))}});
     }
     std::vector<PoseTrack> tracks(nodes.size());
@@ -196,6 +200,12 @@ class SceneWriter {
       children_.push_back(glb_.append("nodes", nodes[i]));
       tracks[i].animate(glb_, animation_, children_.back(), input_);
     }
+  }
+
+  /// The scene's name of a camera: cameras_of gives none to a single one.
+  std::string name_of(const scene::Camera& camera) const {
+    if (!camera.name.empty()) return camera.name;
+    return scene_.render->cameras.empty() ? "camera" : scene_.render->cameras.front().name;
   }
 
   render::View view_of(const scene::Camera& camera, const Shot& shot) const {
@@ -297,15 +307,20 @@ class SceneWriter {
     for (std::size_t i = 0; i < spec_.lines.size(); ++i) {
       const engine::LineSpec& line = spec_.lines[i];
       const double radius = line_radius(spec_, line);
-      SampledSurface surface(line.name, straight.faces);
+      SampledSurface surface(log_name(line), straight.faces);
+      Vector3d toward = Vector3d::Zero();
       for (const std::size_t number : sampled_) {
         const Shot shot = shots_.at(number);
         const DrawnLine& now = shot.rig.lines[i];
         const Eigen::Matrix3Xd points = shape_of(line, now, shot.states, ground, radius);
-        Eigen::Matrix3Xd vertices =
-            render::tube_mesh(evenly_spaced(points, kLinePoints), radius).vertices;
+        const hydro::TriMesh tube =
+            render::tube_mesh(evenly_spaced(points, kLinePoints),
+                              Eigen::VectorXd::Constant(kLinePoints, radius), toward);
+        Eigen::Matrix3Xd vertices = tube.vertices;
         if (now.broken || vertices.cols() != straight.vertices.cols())
           vertices = points.col(0).replicate(1, straight.vertices.cols()).eval();
+        else
+          toward = vertices.col(0) - points.col(0);
         surface.add(vertices);
       }
       children_.push_back(

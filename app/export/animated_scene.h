@@ -27,7 +27,8 @@ struct AnimationOptions {
 /// pressure, and the water in hollows is left out.
 ///
 /// @param scene   It has a render block.
-/// @param shots   At least one; those of its video are exported, or all if it has none.
+/// @param shots   At least one; those of its video and the last are exported, or all if it has
+/// none.
 Glb animated_scene(const scene::Scene& scene, const assembly::BuiltScene& built,
                    const ShotSpool& shots, const AnimationOptions& options);
 

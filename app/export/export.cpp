@@ -25,9 +25,11 @@ int export_run(const ExportOptions& options) {
   assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   built.spec.threads = thread_count(0);
   const ShotSelector selected = logged_shots(options.run, scene, built, options.fps);
-  const Glb glb = animated_scene(scene, built, selected.shots(), options.animation);
   std::string bytes;
+  std::size_t nodes = 0;
   try {
+    const Glb glb = animated_scene(scene, built, selected.shots(), options.animation);
+    nodes = glb.document["nodes"].size();
     bytes = glb.bytes();
   } catch (const std::length_error& error) {
     throw scene::InputError(
@@ -36,7 +38,7 @@ int export_run(const ExportOptions& options) {
   write_whole(options.out, bytes);
   if (!options.quiet)
     say(fmt::format("{}: {:.1f} MB, {} nodes", options.out.string(),
-                    static_cast<double>(bytes.size()) / 1e6, glb.document["nodes"].size()));
+                    static_cast<double>(bytes.size()) / 1e6, nodes));
   return kDone;
 }
 

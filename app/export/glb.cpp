@@ -15,6 +15,9 @@ constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963, kNoTarget = 0;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2;                   // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;  // "JSON", "BIN\0"
 
+constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
+const char* const kTooLarge = "would be larger than 4 GiB, which glTF cannot hold";
+
 const char* type_of(Eigen::Index rows) {
   return rows == 1 ? "SCALAR" : rows == 3 ? "VEC3" : "VEC4";
 }
@@ -51,6 +54,7 @@ std::size_t Glb::append(const char* list, Json object) {
 std::size_t Glb::add_view(const void* data, std::size_t bytes, int target) {
   Json view = {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes}};
   if (target != kNoTarget) view["target"] = target;
+  if (binary_.size() + bytes > kMostBytes) throw std::length_error(kTooLarge);
   binary_.append(static_cast<const char*>(data), bytes);
   return append("bufferViews", std::move(view));
 }
@@ -84,9 +88,9 @@ std::string Glb::bytes() const {
   json.append((4 - json.size() % 4) % 4, ' ');
   constexpr std::size_t kHeads = 12 + 8 + 8;
   const std::size_t size = kHeads + json.size() + binary_.size();
-  if (size > std::numeric_limits<std::uint32_t>::max())
-    throw std::length_error("would be larger than 4 GiB, which glTF cannot hold");
+  if (size > kMostBytes) throw std::length_error(kTooLarge);
   std::string file;
+  file.reserve(size);
   append_word(file, kMagic);
   append_word(file, kVersion);
   append_word(file, static_cast<std::uint32_t>(size));

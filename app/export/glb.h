@@ -18,6 +18,8 @@ class Glb {
 
   nlohmann::ordered_json document;
 
+  // Adding throws std::length_error beyond 4 GiB, which the format cannot hold.
+
   /// Adds an accessor. @return its index
   /// @param elements   An element per column: 1 (SCALAR), 3 (VEC3) or 4 (VEC4) rows.
   std::size_t add(const Eigen::MatrixXf& elements, Use use);
@@ -27,7 +29,7 @@ class Glb {
   /// Appends an object to a list of the document. @return its index in the list
   std::size_t append(const char* list, nlohmann::ordered_json object);
 
-  /// The bytes of the file. @throws std::length_error beyond 4 GiB, which the format cannot hold
+  /// The bytes of the file. @throws std::length_error beyond 4 GiB
   std::string bytes() const;
 
  private:

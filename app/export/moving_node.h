@@ -7,12 +7,13 @@
 #include "app/export/glb.h"
 
 /// @file
-/// What moves in an exported scene: nodes that are displaced and turned, and surfaces that change
+/// Moving parts of an exported scene: nodes that are displaced and turned, and surfaces that change
 /// their shape.
 
 namespace app {
 
-/// The poses of a node over time. Angles are continuous: a turn is the shorter one.
+/// The poses of a node over time. Neighbouring quaternions have the same sign, so that the turn
+/// between them is the shorter one.
 class PoseTrack {
  public:
   void add(const Eigen::Isometry3d& X_W);

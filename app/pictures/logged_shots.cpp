@@ -35,6 +35,7 @@ scene::Scene logged_scene(const std::filesystem::path& run, const std::filesyste
     throw scene::InputError(run,
                             "has no summary.json beside it that names the scene; name it by "
                             "--scene");
+  if (formats == scene::MeshFormats::any) source->mesh_formats = formats;
   for (const scene::Override& override : overrides)
     source->overrides.push_back(override.key_path + "=" + override.value);
   return read_again(*source, source->file);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/logs/rig_log.h"
 #include "app/render/part_meshes.h"
 #include "hydro/mesh/mesh_union.h"
 #include "hydro/mesh/primitives.h"
@@ -75,7 +76,8 @@ render::ScrewShape screw_of(const engine::PropellerSpec& propeller) {
 void add_machines(const engine::SimulationSpec& spec, std::vector<RigPart>& parts) {
   for (std::size_t i = 0; i < spec.propellers.size(); ++i) {
     const engine::PropellerSpec& p = spec.propellers[i];
-    parts.push_back({.kind = RigPart::Kind::propeller,
+    parts.push_back({.name = log_name(p),
+                     .kind = RigPart::Kind::propeller,
                      .index = i,
                      .body = p.body,
                      .mesh_P = shared(render::screw_mesh(screw_of(p))),
@@ -86,7 +88,8 @@ void add_machines(const engine::SimulationSpec& spec, std::vector<RigPart>& part
     const engine::FoilSpec& f = spec.foils[i];
     const bool sail = f.fluid == engine::FoilSpec::Fluid::air;
     parts.push_back(
-        {.kind = RigPart::Kind::foil,
+        {.name = log_name(f),
+         .kind = RigPart::Kind::foil,
          .index = i,
          .body = f.body,
          .mesh_P = shared(render::wing_mesh(f.foil.span, f.foil.chord, sail ? 0.03 : 0.15)),
@@ -100,7 +103,7 @@ void add_machines(const engine::SimulationSpec& spec, std::vector<RigPart>& part
 RigPart end_in_world(const engine::SimulationSpec& spec, const LineSpec& line,
                      const engine::AttachmentPoint& end, const engine::AttachmentPoint& other) {
   const double size = least_size(spec, line.first.body, line.second.body);
-  RigPart part = {.color = kIron};
+  RigPart part = {.name = log_name(line), .color = kIron};
   part.X_BP.translation() = end.at;
   if (line.kind != LineSpec::Kind::mooring || !line.on_bottom) {
     part.mesh_P =

@@ -20,6 +20,8 @@ Eigen::Isometry3d pose_of(const hydro::BodyState& state);
 /// A part that moves with a body.
 struct RigPart {
   enum class Kind { propeller, foil, fixed };
+  std::string
+      name;  ///< As in logs: `propellers[main]`, and of the fixed end of a line `ropes[tow]`.
   Kind kind = Kind::fixed;
   std::size_t index = 0;                 ///< Index of the propeller or foil.
   engine::BodyId body = engine::kWorld;  ///< The body that it is fixed to.

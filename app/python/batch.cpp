@@ -46,22 +46,28 @@ Batch::Batch(std::vector<BatchMember> members, int threads, std::vector<std::str
       observations_(members.size() * observed_.size()),
       errors_(members.size()),
       threads_(shared_threads(threads)) {
-  for (std::size_t i = 0; i < members.size(); ++i) make(i, std::move(members[i]));
+  for (std::size_t i = 0; i < members.size(); ++i) accept(i, make(i, std::move(members[i])));
 }
 
-void Batch::make(std::size_t simulation, BatchMember member) {
+Batch::Made Batch::make(std::size_t place, BatchMember member) {
   if (simulations_.front() && (!same_names(member.spec.bodies, spec().bodies) ||
                                !same_names(member.spec.set_points, spec().set_points)))
     throw std::invalid_argument(
-        fmt::format("simulation {} has other bodies or set points than simulation 0", simulation));
+        fmt::format("simulation {} has other bodies or set points than simulation 0", place));
   // Simulations are stepped at once, so each needs but one thread.
   member.spec.threads = 1;
-  auto made = std::make_unique<HeldSimulation>(std::move(member.spec), motions_.rows(simulation),
-                                               member.sensors);
+  Made made{.simulation = std::make_unique<HeldSimulation>(std::move(member.spec),
+                                                           motions_.rows(place), member.sensors)};
   if (!observed_.empty())
-    observers_[simulation] = Observer(Observables(*member.scene, *made), observed_);
-  simulations_[simulation] = std::move(made);
-  observe(simulation);
+    made.observer = Observer(Observables(*member.scene, *made.simulation), observed_);
+  return made;
+}
+
+void Batch::accept(std::size_t place, Made made) {
+  simulations_[place] = std::move(made.simulation);
+  observers_[place] = std::move(made.observer);
+  simulations_[place]->show();
+  observe(place);
 }
 
 void Batch::observe(std::size_t simulation) {
@@ -131,14 +137,14 @@ void Batch::reset(std::size_t simulation) {
   observe(simulation);
 }
 
-void Batch::replace(std::size_t simulation, BatchMember member) {
-  try {
-    make(simulation, std::move(member));
-  } catch (...) {
-    simulations_[simulation]->show();
-    throw;
+void Batch::replace(const std::vector<std::size_t>& which, std::vector<BatchMember> members) {
+  std::vector<Made> made;
+  for (std::size_t i = 0; i < which.size(); ++i)
+    made.push_back(make(which[i], std::move(members[i])));
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    accept(which[i], std::move(made[i]));
+    clear_inputs(which[i]);
   }
-  clear_inputs(simulation);
 }
 
 void Batch::clear_inputs(std::size_t simulation) {
@@ -161,15 +167,16 @@ std::string Batch::save(std::size_t simulation) {
 
 void Batch::load(std::size_t simulation, std::string_view bytes) {
   HeldSimulation& one = *simulations_.at(simulation);
+  for (const auto& [body, load] : one.loads_in(bytes))
+    if (load.frame != engine::Frame::world || !load.at_B.isZero(0))
+      throw std::invalid_argument(
+          "the state holds a load that is not one at the centre of mass "
+          "in world axes: a batch has no other ones");
   one.load(bytes);
   errors_[simulation].clear();
   fill_part(forces_, simulation, size(), 0);
   fill_part(torques_, simulation, size(), 0);
   for (const auto& [body, load] : one.loads()) {
-    if (load.frame != engine::Frame::world || !load.at_B.isZero(0))
-      throw std::invalid_argument(
-          "the state holds a load that is not one at the centre of mass "
-          "in world axes: a batch has no other ones");
     const std::size_t row = 3 * (simulation * bodies() + static_cast<std::size_t>(body));
     std::copy_n(load.wrench.force.data(), 3, &forces_[row]);
     std::copy_n(load.wrench.moment.data(), 3, &torques_[row]);

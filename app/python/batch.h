@@ -56,9 +56,9 @@ class Batch {
 
   /// Brings a simulation back to time 0, without loads and set values, even after a failure.
   void reset(std::size_t simulation);
-  /// Puts another simulation in the place of one, at time 0.
-  /// @throws as the constructor, and keeps the one that there is
-  void replace(std::size_t simulation, BatchMember member);
+  /// Puts other simulations in the places of some, at time 0.
+  /// @throws as the constructor, and keeps those that there are
+  void replace(const std::vector<std::size_t>& which, std::vector<BatchMember> members);
   /// Puts a body of a simulation in another state of motion.
   void set_motion(std::size_t simulation, engine::BodyId body, const hydro::BodyState& state);
   /// HeldSimulation::save of a simulation under its present loads and set values.
@@ -72,7 +72,13 @@ class Batch {
   const std::vector<std::string>& errors() const { return errors_; }
 
  private:
-  void make(std::size_t simulation, BatchMember member);
+  /// A simulation that is not shown in the arrays yet.
+  struct Made {
+    std::unique_ptr<HeldSimulation> simulation;
+    Observer observer;
+  };
+  Made make(std::size_t place, BatchMember member);
+  void accept(std::size_t place, Made made);
   void observe(std::size_t simulation);
   void clear_inputs(std::size_t simulation);
   void take_steps(std::size_t simulation, long count);

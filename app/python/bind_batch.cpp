@@ -51,6 +51,12 @@ Members members_of(const std::shared_ptr<SceneSource>& base, std::size_t count, 
   return all;
 }
 
+std::shared_ptr<Batch> batch_of(Members made, int threads,
+                                const std::vector<std::string>& observe) {
+  const Unlocked unlocked;
+  return std::make_shared<Batch>(std::move(made.members), threads, observe);
+}
+
 /// Python's Batch.
 class PyBatch {
  public:
@@ -58,8 +64,7 @@ class PyBatch {
           const std::vector<std::string>& observe)
       : scene_(scene_from(scene, py::none())),
         threads_(threads),
-        batch_(std::make_shared<Batch>(members_of(scene_, count, threads, vary).members, threads,
-                                       observe)) {
+        batch_(batch_of(members_of(scene_, count, threads, vary), threads, observe)) {
     // The arrays keep the batch, not this: a cycle would never be freed.
     const py::capsule owner(new std::shared_ptr<Batch>(batch_), [](void* batch) {
       delete static_cast<std::shared_ptr<Batch>*>(batch);
@@ -108,7 +113,7 @@ class PyBatch {
     return static_cast<std::size_t>(simulation < 0 ? simulation + n : simulation);
   }
 
-  /// Returns the simulations of an index, a list of them, or a mask, each once.
+  /// Returns the simulations of an index, a list of them, or a mask, each once and in its order.
   std::vector<std::size_t> chosen(const py::object& which) const {
     const py::module_ numpy = py::module_::import("numpy");
     py::object places = numpy.attr("atleast_1d")(which);
@@ -117,9 +122,13 @@ class PyBatch {
         throw py::value_error("expected a mask with a value for each simulation");
       places = numpy.attr("flatnonzero")(places);
     }
-    std::set<std::size_t> indices;
-    for (const py::handle place : places) indices.insert(index(place.cast<py::ssize_t>()));
-    return {indices.begin(), indices.end()};
+    std::vector<std::size_t> indices;
+    std::set<std::size_t> known;
+    for (const py::handle place : places) {
+      const std::size_t i = index(place.cast<py::ssize_t>());
+      if (known.insert(i).second) indices.push_back(i);
+    }
+    return indices;
   }
 
   void reset(const py::object& which, const py::object& vary) {
@@ -132,9 +141,9 @@ class PyBatch {
       return;
     }
     Members made = members_of(scene_, some.size(), threads_, vary);
-    const auto lock = wait();
-    for (std::size_t i = 0; i < some.size(); ++i)
-      batch_->replace(some[i], std::move(made.members[i]));
+    const Unlocked unlocked;
+    const std::lock_guard lock(busy_);
+    batch_->replace(some, std::move(made.members));
   }
 
   void set_motion(py::ssize_t simulation, const py::object& body, const py::object& place,

@@ -22,24 +22,33 @@
 namespace python {
 namespace {
 
-/// The specification of a scene's simulation on some threads.
-engine::SimulationSpec spec_of(SceneSource& source, int threads, bool forces) {
+/// What a scene's simulation on some threads is made of.
+struct Parts {
+  engine::SimulationSpec spec;
+  SensorSpec sensors;
+};
+
+Parts parts_of(SceneSource& source, int threads, bool forces) {
   const Unlocked unlocked;
-  engine::SimulationSpec spec = source.spec(threads, forces);
-  spec.threads = app::thread_count(threads);
-  spec.record_work = forces || source.scene().log_forces;
-  return spec;
+  Parts parts{.spec = source.spec(threads, forces),
+              .sensors = {source.scene().probes, source.built(threads).centers_of_mass}};
+  parts.spec.threads = app::thread_count(threads);
+  parts.spec.record_work = forces || source.scene().log_forces;
+  return parts;
 }
 
 /// Python's Simulation. Its calls may come from several threads: one at a time is served.
 class PySimulation {
  public:
-  PySimulation(std::shared_ptr<SceneSource> source, int threads, bool forces)
+  PySimulation(const std::shared_ptr<SceneSource>& source, int threads, bool forces)
+      : PySimulation(source, parts_of(*source, threads, forces)) {}
+
+  PySimulation(std::shared_ptr<SceneSource> source, Parts parts)
       : source_(std::move(source)),
         motions_(std::make_shared<MotionArrays>(1, source_->scene().bodies.size())),
-        held_(spec_of(*source_, threads, forces), motions_->all(),
-              {source_->scene().probes, source_->built(1).centers_of_mass}),
+        held_(std::move(parts.spec), motions_->all(), parts.sensors),
         observables_(source_->scene(), held_) {
+    held_.show();
     // The arrays keep the motions, not this: a cycle would never be freed.
     const py::capsule owner(new std::shared_ptr<MotionArrays>(motions_), [](void* motions) {
       delete static_cast<std::shared_ptr<MotionArrays>*>(motions);

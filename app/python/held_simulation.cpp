@@ -58,7 +58,6 @@ HeldSimulation::HeldSimulation(engine::SimulationSpec spec, const MotionRows& ro
                                const SensorSpec& sensors)
     : engine_(std::move(spec)), rows_(rows) {
   if (!sensors.probes.empty()) sensors_.emplace(sensors, engine_.spec());
-  show();
 }
 
 void HeldSimulation::hold(engine::BodyId body, const HeldLoad& load) {
@@ -76,8 +75,15 @@ void HeldSimulation::set_motion(engine::BodyId body, const hydro::BodyState& sta
 
 void HeldSimulation::step() {
   for (const auto& [body, load] : loads_) engine_.apply(body, load.wrench, load.frame, load.at_B);
-  if (sensors_) sensors_->before_step(engine_.states());
-  engine_.step();
+  if (!sensors_) return engine_.step();
+  const std::vector<Eigen::Vector3d> before = sensors_->readings().velocities_before();
+  sensors_->before_step(engine_.states());
+  try {
+    engine_.step();
+  } catch (...) {
+    sensors_->readings().set_velocities_before(before);
+    throw;
+  }
 }
 
 std::string HeldSimulation::save() const {
@@ -91,7 +97,7 @@ std::string HeldSimulation::save() const {
   return bytes + engine_.state().to_bytes();
 }
 
-void HeldSimulation::load(std::string_view bytes) {
+std::map<engine::BodyId, HeldLoad> HeldSimulation::take_loads(std::string_view& bytes) const {
   if (!bytes.starts_with(kHead))
     throw std::invalid_argument("these are not the bytes of a state of this version");
   bytes.remove_prefix(kHead.size());
@@ -103,6 +109,15 @@ void HeldSimulation::load(std::string_view bytes) {
       throw std::invalid_argument("the state is that of another scene");
     loads[static_cast<engine::BodyId>(load.body)] = restored(load);
   }
+  return loads;
+}
+
+std::map<engine::BodyId, HeldLoad> HeldSimulation::loads_in(std::string_view bytes) const {
+  return take_loads(bytes);
+}
+
+void HeldSimulation::load(std::string_view bytes) {
+  std::map<engine::BodyId, HeldLoad> loads = take_loads(bytes);
   const std::size_t probes = sensors_ ? sensors_->size() : 0;
   std::vector<Eigen::Vector3d> velocities(take_count(bytes, probes));
   if (!velocities.empty() && velocities.size() != probes)

@@ -21,7 +21,7 @@ struct HeldLoad {
 /// A simulation under loads that its user holds, with sensors, and whose motion is kept in arrays.
 class HeldSimulation {
  public:
-  /// @param rows   They must outlive this.
+  /// @param rows   They must outlive this. The first show() writes them.
   /// @throws as engine::Simulation does
   HeldSimulation(engine::SimulationSpec spec, const MotionRows& rows,
                  const SensorSpec& sensors = {});
@@ -49,10 +49,15 @@ class HeldSimulation {
   std::string save() const;
   /// @throws std::invalid_argument if they are not the bytes of such a simulation
   void load(std::string_view bytes);
+  /// The held loads in such bytes. @throws as load() for what it reads
+  std::map<engine::BodyId, HeldLoad> loads_in(std::string_view bytes) const;
   /// Back to time 0, without held loads.
   void reset();
 
  private:
+  /// Takes the loads from the head of the bytes.
+  std::map<engine::BodyId, HeldLoad> take_loads(std::string_view& bytes) const;
+
   engine::Simulation engine_;
   std::optional<Sensors> sensors_;
   MotionRows rows_;

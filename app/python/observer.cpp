@@ -40,12 +40,13 @@ void Observables::add_tables(const engine::Simulation& engine) {
   const std::vector<app::LogTable> tables = log.tables();
   const auto numbers = log.numbers(engine.rig(), engine.states());
   for (std::size_t t = 0; t < tables.size(); ++t) {
+    const bool set_points = tables[t].layout.key == "set_point";
     std::size_t number = 0;
     const auto add = [&](const std::string& name) {
-      if (!std::isnan(numbers[t][number])) all_.push_back({name, OfTable{t, number, 1}});
+      const bool known = set_points && find(name) != nullptr;
+      if (!std::isnan(numbers[t][number]) && !known) all_.push_back({name, OfTable{t, number, 1}});
       ++number;
     };
-    const bool set_points = tables[t].layout.key == "set_point";
     for (const std::string& row : tables[t].names)
       for (const app::TableSeries& series : tables[t].layout.series)
         for (const std::string& column : series.columns)

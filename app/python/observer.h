@@ -18,7 +18,8 @@ namespace python {
 ///   points of controls by their own names (app/logs/rig_log.h);
 /// - readings of probes: `probes[imu].specific_z` (sensors.h).
 ///
-/// A number that a line, joint or machine does not have is no observable.
+/// A number that a line, joint or machine does not have is no observable. Of a name that a reading
+/// and a set point share, as `ropes[tow].length`, it is the reading.
 class Observables {
  public:
   Observables(const scene::Scene& scene, const HeldSimulation& simulation);

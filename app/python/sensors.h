@@ -18,17 +18,17 @@ struct SensorSpec {
 /// The probes of a simulation as instruments: a point of a body reads as a unit on board does, in
 /// the body's axes.
 ///
-/// | columns | of | meaning |
-/// | --- | --- | --- |
-/// | elevation | all | water's surface above the still water [m]; NaN without water |
-/// | x, y, z | all | place in W [m] |
-/// | vx, vy, vz | gauges with a depth | velocity of the water in W [m/s]; NaN in the air |
-/// | ax, ay, az | gauges with a depth | its acceleration in W [m/s^2]; NaN in the air |
-/// | vx, vy, vz | points of bodies | velocity of the point, in body axes [m/s] |
-/// | ax, ay, az | points of bodies | its acceleration, in body axes [m/s^2] |
-/// | wx, wy, wz | points of bodies | angular velocity of the body, in body axes (gyroscope) [rad/s]
-/// | | specific_x, specific_y, specific_z | points of bodies | specific force a − g, in body axes
-/// (accelerometer) [m/s^2]; at rest g upward |
+/// | columns | meaning |
+/// | --- | --- |
+/// | elevation | water's surface above the still water [m]; NaN without water |
+/// | x, y, z | place in W [m] |
+/// | vx, vy, vz | velocity [m/s]: of the water in W, of a body's point in body axes |
+/// | ax, ay, az | its acceleration in the same axes [m/s^2] |
+/// | wx, wy, wz | angular velocity in body axes, as a gyroscope [rad/s] |
+/// | specific_x, _y, _z | specific force a − g in body axes, as an accelerometer [m/s^2] |
+///
+/// A gauge at the surface has the first two, one with a depth the first four, in the air NaN; a
+/// point of a body has all.
 ///
 /// An acceleration is the change of velocity in the last step over the step (app/logs/probes.h).
 /// Before the first step and after a motion is set it is zero.

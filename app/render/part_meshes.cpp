@@ -54,6 +54,12 @@ Eigen::Matrix4Xd distinct(const Eigen::Matrix3Xd& points, const Eigen::VectorXd&
 /// A unit vector normal to another.
 Vector3d normal_to(const Vector3d& v) { return v.unitOrthogonal(); }
 
+/// The unit vector normal to a unit one that is nearest to `toward`; any if there is none.
+Vector3d normal_toward(const Vector3d& along, const Vector3d& toward) {
+  const Vector3d across = toward - along.dot(toward) * along;
+  return across.norm() > 1e-9 * toward.norm() ? Vector3d(across.normalized()) : normal_to(along);
+}
+
 /// A point of the outline of a symmetric section from its leading edge, x = 0, to the trailing
 /// edge, x = 1, and back: the form of the NACA sections of four digits.
 Eigen::Vector2d section_point(int index, int count, double thickness) {
@@ -98,7 +104,8 @@ hydro::TriMesh hub_mesh() {
 
 }  // namespace
 
-hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& radii) {
+hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& radii,
+                         const Vector3d& toward) {
   const Eigen::Matrix4Xd kept = distinct(points, radii);
   const Index count = kept.cols();
   if (count < 2) return {};
@@ -111,7 +118,8 @@ hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& 
     if (along.norm() < 1e-6) along = in;  // The line turns back.
     along.normalize();
     // The ring is turned with the line, so that the tube does not twist.
-    side = i == 0 ? normal_to(along) : Vector3d(hydro::shortest_turn(before, along) * side);
+    side = i == 0 ? normal_toward(along, toward)
+                  : Vector3d(hydro::shortest_turn(before, along) * side);
     before = along;
     const Vector3d other = along.cross(side);
     for (int j = 0; j < kTubeSides; ++j) {

@@ -17,7 +17,11 @@ inline constexpr int kTubeSides = 10;
 /// Returns a tube along points, with a ring of `kTubeSides` vertices about each and flat ends.
 /// @param points   At least two; a point at the place of the one before it is left out.
 /// @param radii    Per point [m].
-hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& radii);
+/// @param toward   Where the first vertex of the first ring lies, seen from its point; zero: the
+/// ring
+///     is turned in any way. A line that moves keeps its vertices apart where it is carried along.
+hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& radii,
+                         const Eigen::Vector3d& toward = Eigen::Vector3d::Zero());
 
 /// The same with one radius.
 hydro::TriMesh tube_mesh(const Eigen::Matrix3Xd& points, double radius);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace engine {
@@ -36,8 +37,13 @@ double body_quantity(Quantity quantity, const hydro::BodyState& state, double le
       return (state.orientation * Vector3d::UnitY()).dot(state.linear_velocity);
     case Quantity::turn_rate:
       return state.angular_velocity.z();
-    default:
+    case Quantity::heading:
+    case Quantity::pitch:
+    case Quantity::roll:
       return attitude(quantity, state.orientation);
+    default:
+      assert(!"a quantity of a body");
+      return 0;
   }
 }
 

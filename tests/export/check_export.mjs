@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import validator from 'gltf-validator';
-import {AnimationMixer, Vector3} from 'three';
+import {AnimationMixer, PropertyBinding, Vector3} from 'three';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
 
 const bytes = readFileSync(process.argv[2]);
@@ -21,12 +21,12 @@ const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byt
 const gltf = await new GLTFLoader().parseAsync(buffer, '');
 const mixer = new AnimationMixer(gltf.scene);
 mixer.clipAction(gltf.animations[0]).play();
-const find = (name) => gltf.scene.getObjectByName(name);
+const find = (name) => gltf.scene.getObjectByName(PropertyBinding.sanitizeNodeName(name));
 const show = (time) => {
   mixer.setTime(time);
   gltf.scene.updateMatrixWorld(true);
 };
-// Of glTF, which has y up, to the world's axes.
+// From the axes of glTF, which has y up, to the world's.
 const in_world = (v) => new Vector3(v.x, -v.z, v.y);
 const place = (name) => in_world(find(name).getWorldPosition(new Vector3()));
 
@@ -73,7 +73,7 @@ assert.ok(Math.abs(highest - 0.15) < 0.002, `the highest wave is ${highest} m`);
 // The rope joins its bodies.
 const ends = (time) => {
   show(time);
-  const rope = find('tow');
+  const rope = find('ropes[tow]');
   const position = new Vector3();
   const found = [];
   for (const vertex of [0, rope.geometry.attributes.position.count - 1]) {

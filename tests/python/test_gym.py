@@ -218,6 +218,27 @@ def test_what_cannot_be_is_told_before_the_first_episode():
         pl.VectorEnv(pl.Batch(BOAT, 2, observe=["raft.x"]), actions=ACTIONS, observations=["raft.y"])
 
 
+def test_actions_have_the_shape_of_their_space():
+    two = {**BOAT, "propellers": [BOAT["propellers"][0], {**BOAT["propellers"][0], "name": "bow"}]}
+    names = ["propellers[main].speed_rps", "propellers[bow].speed_rps"]
+    env = pl.Env(two, names, OBSERVATIONS, low=-1, high=[1, 2])
+    assert env.action_space.shape == (2,) and list(env.action_space.high) == [1, 2]
+    env.reset()
+    for wrong in ([0.5], [1, 2, 3], 0.5, [np.nan, 0]):
+        with pytest.raises(ValueError, match="2 numbers"):
+            env.step(wrong)
+    many = pl.VectorEnv(two, n=3, actions=names, observations=OBSERVATIONS, low=-1, high=1)
+    assert many.action_space.shape == (3, 2)
+    many.reset()
+    with pytest.raises(ValueError, match=r"\(3, 2\)"):
+        many.step([0.1, 0.2, 0.3])
+    with pytest.raises(ValueError, match="not a number"):
+        many.step(np.full((3, 2), np.nan))
+    with pytest.raises(ValueError, match="a batch has its own"):
+        pl.VectorEnv(pl.Batch(two, 2, observe=["raft.x"]), n=3, actions=names, low=-1, high=1)
+    assert pl.Env(two, names, OBSERVATIONS, low=0, high=1).np_random is not env.np_random
+
+
 def test_a_failed_simulation_ends_the_episode_of_an_environment():
     env = pl.Env(BOAT, ACTIONS, OBSERVATIONS)
     env.reset()

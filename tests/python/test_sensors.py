@@ -141,9 +141,10 @@ def test_observations_have_the_units_of_their_names():
     assert seen["propellers[main].thrust"] == readings["machines"]["propellers[main]"]["thrust"]
     assert seen["rudders[rudder].attack_deg"] == readings["machines"]["rudders[rudder]"]["attack_deg"]
     assert set(names) <= set(sim.observables)
-    # What a rudder does not have is no observable, and whatever is one is a number.
+    # Numbers that a rudder does not have are no observables, and each observable is a number, once.
     assert "rudders[rudder].thrust" not in sim.observables
     assert np.isfinite(sim.observe(sim.observables)).all()
+    assert len(set(sim.observables)) == len(sim.observables)
 
 
 def test_joints_have_their_angles_in_degrees():
@@ -209,12 +210,65 @@ def test_a_reset_with_other_values_is_another_scene():
     assert np.array_equal(batch.observation[1], seen)
 
 
+def test_values_of_a_reset_go_to_the_simulations_in_their_order():
+    batch = pl.Batch(IMU, 4, observe=["raft.z"])
+    batch.reset([3, 1], vary={"bodies[raft].position": [[0, 0, 3], [0, 0, 1]]})
+    assert list(batch.observation[:, 0]) == [0, 1, 0, 3]
+
+
+def test_a_failed_step_leaves_the_readings_as_they_were():
+    sim = pl.Simulation(IMU)
+    sim.step(5)
+    kept, state = sim.readings(), sim.save()
+    sim.apply("thrown", force=[1e300, 0, 0])
+    with pytest.raises(pl.SimulationError):
+        sim.step()
+    assert sim.readings() == kept and sim.readings()["probes"]["imu"]["az"] != 0
+    sim.load(state)
+    assert sim.readings() == kept
+
+
+def test_a_batch_that_refuses_a_state_keeps_its_own():
+    batch, sim = pl.Batch(IMU, 1, observe=["raft.z"]), pl.Simulation(IMU)
+    sim.step(20)
+    sim.apply("raft", force=[0, 0, 9], at=[0.3, 0, 0])
+    kept = batch.position.copy(), batch.observation.copy()
+    with pytest.raises(ValueError, match="centre of mass"):
+        batch.load(0, sim.save())
+    assert np.array_equal(batch.position, kept[0]) and np.array_equal(batch.observation, kept[1])
+
+
+def test_the_first_simulation_of_a_scene_lets_other_threads_run(tmp_path, monkeypatch):
+    import threading
+    import time
+
+    scene = {**BUOY, "bodies": [{"name": "buoy", "icosphere": {"radius": 1, "subdivisions": 4}, "density": 500,
+                                 "hydro": {"radiation": "none", "added_mass": {"tolerance": 0.02}}}]}
+    monkeypatch.setenv("PLIMSOLL_CACHE", str(tmp_path))
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.005)
+
+    other = threading.Thread(target=tick)
+    other.start()
+    start = time.monotonic()
+    pl.Simulation(scene)
+    took = time.monotonic() - start
+    done.set()
+    other.join()
+    # With the lock held all the while there would be two.
+    assert took > 0.05 and len(ticks) > 5
+
+
 def test_a_reset_that_a_batch_cannot_take_changes_nothing():
     batch = pl.Batch({**IMU, "log": {}}, 2, observe=["raft.z"])
     batch.step(5)
     kept = batch.position.copy(), batch.observation.copy()
     with pytest.raises(ValueError, match="other bodies"):
-        batch.reset(1, vary={"bodies[raft].name": ["log"]})
+        batch.reset([0, 1], vary={"bodies[raft].name": ["raft", "log"]})
     with pytest.raises(pl.SceneError):
         batch.reset(1, vary={"bodies[raft].density": [-1]})
     with pytest.raises(ValueError, match="one for each of 1"):

@@ -53,7 +53,8 @@ except ImportError:
     class EnvBase:  # type: ignore[no-redef]
         """The random numbers of an environment."""
 
-        np_random: np.random.Generator = np.random.default_rng()
+        def __init__(self) -> None:
+            self.np_random: np.random.Generator = np.random.default_rng()
 
         def reset(self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None) -> None:
             """Begin the random numbers anew where there is a seed."""

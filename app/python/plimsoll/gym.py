@@ -63,6 +63,7 @@ class Env(EnvBase):  # type: ignore[misc]
         camera: Union[None, str, Mapping[str, Any]] = None,
         size: Optional[Tuple[int, int]] = None,
     ) -> None:
+        super().__init__()
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: found {render_mode!r}, expected None or 'rgb_array'")
         self._scene = scene if isinstance(scene, Scene) else Scene(scene)
@@ -70,6 +71,7 @@ class Env(EnvBase):  # type: ignore[misc]
         self._steps, self._camera, self._size = steps, camera, size
         self._duration = self._scene.duration if duration is None else duration
         self._actions, self._observations = list(actions), list(observations)
+        self.action_space = _space_of(actions, low, high)
         self.render_mode = render_mode
         self.metadata = {
             "render_modes": ["rgb_array"],
@@ -78,7 +80,6 @@ class Env(EnvBase):  # type: ignore[misc]
         self.simulation = Simulation(self._scene, threads=threads, forces=False)
         for name in self._actions:
             self.simulation.control[name]  # An unknown name is a KeyError now.
-        self.action_space = _space_of(actions, low, high)
         seen = np.full(self._seen().shape, np.inf)
         self.observation_space = Box(-seen, seen, dtype=np.float64)
         super().reset(seed=seed)
@@ -97,7 +98,9 @@ class Env(EnvBase):  # type: ignore[misc]
 
     def step(self, action: FloatArray) -> Tuple[FloatArray, float, bool, bool, Dict[str, Any]]:
         """Take a step; see Gymnasium."""
-        action = np.atleast_1d(np.asarray(action, dtype=float))
+        action = np.asarray(action, dtype=float)
+        if action.shape != self.action_space.shape or np.isnan(action).any():
+            raise ValueError(f"an action is {len(self._actions)} numbers, found {action}")
         for name, value in zip(self._actions, action):
             self.simulation.control[name] = float(value)
         info: Dict[str, Any] = {}
@@ -126,7 +129,7 @@ class Env(EnvBase):  # type: ignore[misc]
 class VectorEnv(VectorEnvBase):  # type: ignore[misc]
     """Environments that share a batch: one for each of its n simulations.
 
-    batch                    a Batch, or a scene of which one of n simulations is made
+    batch                    a Batch, or a scene of which one of n simulations [1] is made
     observe(batch)           what a controller sees, (n, observations); by default the observations
     reward(batch, actions)   after the steps of an action, (n,); by default 0
     actions                  set points that an action sets, as in Env; by default all
@@ -154,7 +157,7 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         observe: Optional[Callable[[Batch], FloatArray]] = None,
         reward: Optional[Callable[[Batch, FloatArray], FloatArray]] = None,
         *,
-        n: int = 1,
+        n: Optional[int] = None,
         actions: Optional[Actions] = None,
         observations: Optional[Sequence[str]] = None,
         low: Optional[npt.ArrayLike] = None,
@@ -167,12 +170,17 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         duration: Optional[float] = None,
         autoreset: str = "NextStep",
         seed: Optional[int] = None,
-        threads: int = 0,
+        threads: Optional[int] = None,
     ) -> None:
         limit = np.inf
+        if observe is not None and observations is not None:
+            raise ValueError("give observations or observe(batch), not both")
         if not isinstance(batch, Batch):
             scene = batch if isinstance(batch, Scene) else Scene(batch)
-            batch, limit = Batch(scene, n, threads=threads, observe=list(observations or ())), scene.duration
+            made = Batch(scene, n or 1, threads=threads or 0, observe=list(observations or ()))
+            batch, limit = made, scene.duration
+        elif n is not None or threads is not None:
+            raise ValueError("n and threads are for a scene: a batch has its own")
         self.batch = batch
         self.num_envs = len(batch)
         self.metadata: Dict[str, Any] = {"autoreset_mode": AutoresetMode(autoreset)}
@@ -180,11 +188,12 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         self._observe = observe or _by_name(batch, observations)
         self._reward, self._done, self._begin, self._vary = reward, done, begin, dict(vary or {})
         names = batch.set_points if actions is None else list(actions)
+        space = _space_of(names if actions is None else actions, low, high, free=act is not None)
         self._act = act or _to_controls([batch.set_point(name) for name in names])
         self._steps, self._duration = steps, limit if duration is None else duration
         self._over = np.zeros(self.num_envs, dtype=bool)
         self._rng = np.random.default_rng(seed)
-        self.single_action_space = _space_of(names if actions is None else actions, low, high)
+        self.single_action_space = space
         seen = np.full(self._seen().shape[1:], np.inf)
         self.single_observation_space = Box(-seen, seen, dtype=np.float64)
         self.action_space = batched(self.single_action_space, self.num_envs)
@@ -204,7 +213,9 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         self, actions: FloatArray
     ) -> Tuple[FloatArray, FloatArray, BoolArray, BoolArray, Dict[str, Any]]:
         """Take a step of each environment; see Gymnasium."""
-        actions = np.asarray(actions, dtype=float).reshape(self.num_envs, -1)
+        actions = np.asarray(actions, dtype=float)
+        if actions.shape != self.action_space.shape:
+            raise ValueError(f"actions are {self.action_space.shape} numbers, found {actions.shape}")
         mode = self.metadata["autoreset_mode"]
         stepped = ~self._over
         if mode is AutoresetMode.NEXT_STEP and self._over.any():
@@ -243,8 +254,13 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         self._over[which] = False
 
 
-def _space_of(actions: Actions, low: Optional[npt.ArrayLike], high: Optional[npt.ArrayLike]) -> Box:
-    """Return the space of actions, with bounds by name or those of low and high."""
+def _space_of(
+    actions: Actions, low: Optional[npt.ArrayLike], high: Optional[npt.ArrayLike], free: bool = False
+) -> Box:
+    """Return the space of actions, with bounds by name, or those of low and high for each.
+
+    free: the actions are no set points, so low and high alone tell how many there are.
+    """
     if isinstance(actions, Mapping):
         if low is not None or high is not None:
             raise ValueError("actions have bounds by name: low and high are for a list of names")
@@ -252,8 +268,10 @@ def _space_of(actions: Actions, low: Optional[npt.ArrayLike], high: Optional[npt
         return Box(bounds[:, 0], bounds[:, 1], dtype=np.float64)
     if low is None or high is None:
         raise ValueError("actions need bounds: {name: (lowest, highest)}, or low and high")
-    ends = np.atleast_1d(np.asarray(low, dtype=float)), np.atleast_1d(np.asarray(high, dtype=float))
-    return Box(*ends, dtype=np.float64)
+    ends = [np.atleast_1d(np.asarray(end, dtype=float)) for end in (low, high)]
+    if not free:
+        ends = [np.broadcast_to(end, (len(actions),)).copy() for end in ends]
+    return Box(ends[0], ends[1], dtype=np.float64)
 
 
 def _drawn(vary: Vary, rng: np.random.Generator) -> Dict[str, Any]:
@@ -282,6 +300,8 @@ def _by_name(batch: Batch, observations: Optional[Sequence[str]]) -> Callable[[B
 
 def _to_controls(columns: List[int]) -> Callable[[Batch, FloatArray], None]:
     def act(batch: Batch, actions: FloatArray) -> None:
+        if np.isnan(actions).any():
+            raise ValueError("an action is not a number")
         batch.control[:, columns] = actions
 
     return act
