@@ -53,8 +53,12 @@ class SurfaceAddedMass final : public AddedMassModel {
   /// The load of rigid_wave_load.h.
   Wrench wave_load(const BodyState& state, const Sea& sea, double time) const override;
 
-  /// Interpolated matrix for ρ = 1.
+  /// Interpolated matrix for ρ = 1: that of the body under the risen water.
   Matrix6d under(const WaterPlane& plane) const;
+
+  /// The plane of the water that rises as the body enters it (water_entry.h); the same plane when
+  /// half of the body is immersed.
+  WaterPlane risen(const WaterPlane& plane) const;
 
   /// All nodes known so far, in the order of the grid.
   std::vector<SurfaceNode> nodes() const;
@@ -68,8 +72,6 @@ class SurfaceAddedMass final : public AddedMassModel {
     double low, high;
   };
   Reach reach(const Eigen::Vector3d& up) const;
-  /// The plane of the water that rises as the body enters it.
-  WaterPlane risen(const WaterPlane& plane) const;
   double draught_of(const WaterPlane& plane) const;
   WaterPlane plane_of(int attitude, int draught) const;
   const Matrix6d& node(int attitude, int draught) const;
