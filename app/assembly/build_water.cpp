@@ -51,8 +51,7 @@ struct Known {
   double seconds;
 
   bool suits(const hydro::TriMesh& mesh, const hydro::MeanPose& pose) const {
-    return sources->pose == pose && mesh_B->vertices == mesh.vertices &&
-           mesh_B->faces == mesh.faces;
+    return sources->pose == pose && hydro::same_mesh(*mesh_B, mesh);
   }
 };
 

@@ -20,10 +20,9 @@ std::shared_ptr<const RadiationDatabase> known(const scene::Scene& scene,
                                                const std::vector<RadiationChoice>& choices,
                                                std::size_t i) {
   for (std::size_t j = 0; j < i; ++j) {
-    const hydro::TriMesh &a = radiating_mesh(choices[i], spec.bodies[i]),
-                         &b = radiating_mesh(choices[j], spec.bodies[j]);
-    if (choices[j].database && choices[j].pose == choices[i].pose && a.vertices == b.vertices &&
-        a.faces == b.faces &&
+    if (choices[j].database && choices[j].pose == choices[i].pose &&
+        hydro::same_mesh(radiating_mesh(choices[i], spec.bodies[i]),
+                         radiating_mesh(choices[j], spec.bodies[j])) &&
         scene.bodies[j].hydro.radiation.database == scene.bodies[i].hydro.radiation.database)
       return choices[j].database;
   }

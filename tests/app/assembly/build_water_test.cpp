@@ -71,6 +71,20 @@ TEST(BuildWater, GivesEqualHullsTheSameSources) {
   EXPECT_NE(bodies[0].sources, bodies[2].sources);
 }
 
+TEST(BuildWater, TellsHullsOfOnePoseApartByTheirMeshes) {
+  const auto wall = [](const std::string& name, const std::string& size, int place) {
+    return "  - {name: " + name + ", box: {size: " + size +
+           "}, density: 500, lock: all, position: [" + std::to_string(place) + ", 0, -1]}\n";
+  };
+  const assembly::BuiltScene scene =
+      built(scene_of("{}", wall("short", "[2, 10, 6], divisions: 2", 0) +
+                               wall("long", "[2, 30, 6], divisions: 3", 20) +
+                               wall("same", "[2, 10, 6], divisions: 2", 40)));
+  const std::vector<engine::BodySpec>& bodies = scene.spec.bodies;
+  EXPECT_NE(bodies[0].sources, bodies[1].sources);
+  EXPECT_EQ(bodies[0].sources, bodies[2].sources);
+}
+
 TEST(BuildWater, LeavesOutWhatIsNarrowerThanACell) {
   const assembly::BuiltScene scene = built(scene_of("{spacing: 1.5}", std::string(kBarge) + kBuoy));
   EXPECT_TRUE(scene.spec.bodies[0].sources);
