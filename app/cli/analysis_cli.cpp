@@ -89,13 +89,10 @@ void add_addedmass(CLI::App& program, AnalysisArguments& a, std::vector<std::str
   command
       ->add_option(
           "--method", o.options.method,
-          "galerkin: quadratic elements on adapted panels; constant: collocation on the faces "
-          "[galerkin]")
+          "galerkin: quadratic elements on adapted panels; constant: collocation on the faces")
       ->transform(CLI::CheckedTransformer(std::map<std::string, hydro::AddedMassMethod>{
-                                              {"galerkin", hydro::AddedMassMethod::galerkin},
-                                              {"constant", hydro::AddedMassMethod::constant}})
-                      .description(""))
-      ->type_name("METHOD");
+          {"galerkin", hydro::AddedMassMethod::galerkin},
+          {"constant", hydro::AddedMassMethod::constant}}));
   add_mesh_frame(command, o.frame);
   add_sets(command, sets);
   add_any_format(command, o.formats);

@@ -192,8 +192,7 @@ void add_schema(CLI::App& program, Arguments& a) {
 void add_completion(CLI::App& program, Arguments& a) {
   program.add_subcommand("completion", "Print a completion script for a shell")
       ->add_option("shell", a.shell, "bash or zsh")
-      ->check(CLI::IsMember({"bash", "zsh"}).description(""))
-      ->type_name("SHELL")
+      ->check(CLI::IsMember({"bash", "zsh"}))
       ->required();
 }
 
