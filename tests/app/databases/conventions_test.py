@@ -381,7 +381,8 @@ class Conventions(unittest.TestCase):
                                       "expected a finite number")
         wrong = Foreign(self.truth, 30)
         wrong.B = wrong.B.copy()
-        wrong.B[2, 0, 2] += 0.5 * abs(wrong.B[:, :3, :3]).max()
+        # A single frequency that contradicts itself is left out.
+        wrong.B[2:, 0, 2] += 0.5 * abs(wrong.B[:, :3, :3]).max()
         write_bemio(self.folder / "odd.h5", wrong, False)
         self.assertIn("damping at 0.8 rad/s: found", self.call("{file: odd.h5}").stderr)
         with h5py.File(self.folder / "odd.h5", "a") as file:
