@@ -44,7 +44,7 @@ def main(out: Path) -> None:
     sim = pl.Simulation(pl.Scene.load(SCENES / "turning_circle.yaml"))
     ship = sim.index("ship")
     sim.control["propellers[main].speed_rps"] = 2.0
-    pid = Pid(kp=1.5, ki=0.005, kd=30, limit=35)
+    pid = Pid(kp=2, ki=0.005, kd=12, limit=35)
     rows = []
     while sim.time < 150:
         target = [course for start, course in COURSES if sim.time >= start][-1]
