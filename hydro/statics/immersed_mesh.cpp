@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "hydro/mesh/mass_properties.h"
 
@@ -14,22 +14,28 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kLeafFaces = 32;
 constexpr double kMargin = 1e-12;  ///< Over the body's radius.
 
-/// Adds (7) of faces that are wholly wet.
-template <class Node>
-void add_whole(const Node& node, const Matrix3d& R_WB, double h, WetSums& sums) {
+/// ∫ k·n f dS over a branch for the factor f of a row of its moments.
+double along(const Vector3d& k, const kernel::Node& node, int row) {
+  return k.dot(Eigen::Map<const Vector3d>(node.moment[row]));
+}
+
+/// Adds (7) of a branch that is wholly wet.
+void add_whole(const kernel::Node& node, const Matrix3d& R_WB, double h, WetSums& sums) {
+  using namespace kernel;
   const Vector3d k = R_WB.row(2).transpose();
-  const double a = k.dot(node.area);
-  const Vector3d s = node.first_moment.transpose() * k;
-  const Vector3d Qk =
-      (k[0] * node.second_moment[0] + k[1] * node.second_moment[1] + k[2] * node.second_moment[2]) *
-      k;
-  sums.volume += (k.dot(s) + 3 * h * a) / 3;
-  sums.horizontal += R_WB.topRows<2>() * (Qk + 4 * h * s) / 12;
-  sums.depth -= (k.dot(Qk) + 8 * h * k.dot(s) + 12 * h * h * a) / 24;
-  sums.surface += node.surface;
+  const auto of = [&](int row) { return along(k, node, row); };
+  const double a = of(kOne);
+  const Vector3d s(of(kPlace), of(kPlace + 1), of(kPlace + 2));
+  const double xy = of(kSquare + 3), yz = of(kSquare + 4), zx = of(kSquare + 5);
+  Matrix3d Q;
+  Q << of(kSquare), xy, zx, xy, of(kSquare + 1), yz, zx, yz, of(kSquare + 2);
+  const Vector3d Qk = Q * k;
+  sums.volume += k.dot(s) + h * a;
+  sums.horizontal += R_WB.topRows<2>() * (Qk + h * s);
+  sums.depth -= (k.dot(Qk) + 2 * h * k.dot(s) + h * h * a) / 2;
+  sums.surface += node.moment[kOne][kAreaLane];
 }
 
 }  // namespace
@@ -37,79 +43,18 @@ void add_whole(const Node& node, const Matrix3d& R_WB, double h, WetSums& sums) 
 ImmersedMesh::ImmersedMesh(const TriMesh& mesh_B)
     : mesh_B_(mesh_B),
       margin_(kMargin * mesh_B.vertices.colwise().norm().maxCoeff()),
-      volume_(solid_properties(mesh_B).volume),
-      order_(static_cast<std::size_t>(mesh_B.face_count())) {
-  std::iota(order_.begin(), order_.end(), 0);
-  build(0, static_cast<int>(order_.size()));
+      volume_(solid_properties(mesh_B).volume) {
+  kernel::Panels panels = kernel::make_panels(mesh_B);
+  tree_ = kernel::make_tree(panels);
+  faces_ = std::move(panels.face);
 }
 
-int ImmersedMesh::build(int first, int last) {
-  const int index = static_cast<int>(nodes_.size());
-  nodes_.emplace_back();
-  Node node{.first = first, .last = last};
-  node.second_moment.fill(Matrix3d::Zero());
-  Eigen::AlignedBox3d box;
-  for (int i = first; i < last; ++i)
-    for (const int corner : mesh_B_.faces.col(order_[static_cast<std::size_t>(i)]))
-      box.extend(mesh_B_.vertices.col(corner));
-  node.middle = box.center();
-  node.half = box.sizes() / 2;
-  if (last - first <= kLeafFaces) {
-    add_faces(node);
-    nodes_[static_cast<std::size_t>(index)] = node;
-    return index;
-  }
-  Eigen::Index axis;
-  node.half.maxCoeff(&axis);
-  const auto place = [&](int face) {
-    const auto corners = mesh_B_.faces.col(face);
-    return mesh_B_.vertices(axis, corners[0]) + mesh_B_.vertices(axis, corners[1]) +
-           mesh_B_.vertices(axis, corners[2]);
-  };
-  const int middle = (first + last) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                   [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  const int left = build(first, middle);
-  node.right = build(middle, last);
-  for (const int child : {left, node.right}) {
-    const Node& part = nodes_[static_cast<std::size_t>(child)];
-    node.area += part.area;
-    node.first_moment += part.first_moment;
-    for (std::size_t m = 0; m < 3; ++m) node.second_moment[m] += part.second_moment[m];
-    node.surface += part.surface;
-  }
-  nodes_[static_cast<std::size_t>(index)] = node;
-  return index;
-}
-
-void ImmersedMesh::add_faces(Node& node) const {
-  for (int i = node.first; i < node.last; ++i) {
-    const Panel r = panel_of(mesh_B_, order_[static_cast<std::size_t>(i)]);
-    const Vector3d a = area_vector(r);
-    const Vector3d s = r[0] + r[1] + r[2];
-    const Matrix3d Q = r[0] * r[0].transpose() + r[1] * r[1].transpose() + r[2] * r[2].transpose() +
-                       s * s.transpose();
-    node.area += a;
-    node.first_moment += a * s.transpose();
-    for (int m = 0; m < 3; ++m) node.second_moment[static_cast<std::size_t>(m)] += a[m] * Q;
-    node.surface += a.norm();
-  }
-}
-
-void ImmersedMesh::add_wet(int index, const Matrix3d& R_WB, double height, WetSums& sums) const {
-  const Node& node = nodes_[static_cast<std::size_t>(index)];
-  const auto k = R_WB.row(2);
-  const double above = k.dot(node.middle) + height;
-  const double reach = k.cwiseAbs().dot(node.half) + margin_;
-  if (above - reach >= 0) return;
-  if (above + reach < 0) return add_whole(node, R_WB, height, sums);
-  if (node.right > 0) {
-    add_wet(index + 1, R_WB, height, sums);
-    add_wet(node.right, R_WB, height, sums);
-    return;
-  }
-  for (int i = node.first; i < node.last; ++i) {
-    Panel panel = panel_of(mesh_B_, order_[static_cast<std::size_t>(i)]);
+void ImmersedMesh::add_leaf(const kernel::Node& leaf, const Matrix3d& R_WB, double height,
+                            WetSums& sums) const {
+  const std::size_t first = static_cast<std::size_t>(leaf.first) * kernel::kLeafFaces;
+  const std::size_t last = std::min(faces_.size(), first + kernel::kLeafFaces);
+  for (std::size_t i = first; i < last; ++i) {
+    Panel panel = panel_of(mesh_B_, faces_[i]);
     Vector3d depth;
     for (int corner = 0; corner < 3; ++corner) {
       Vector3d& r = panel[static_cast<std::size_t>(corner)];
@@ -122,7 +67,17 @@ void ImmersedMesh::add_wet(int index, const Matrix3d& R_WB, double height, WetSu
 
 Hydrostatics ImmersedMesh::at(const Matrix3d& R_WB, double height) const {
   WetSums sums;
-  add_wet(0, R_WB, height, sums);
+  const auto k = R_WB.row(2);
+  const int count = static_cast<int>(tree_.nodes.size());
+  for (int i = 0; i < count;) {
+    const kernel::Node& node = tree_.nodes[static_cast<std::size_t>(i)];
+    const double above = k.dot(Eigen::Map<const Vector3d>(node.centre)) + height;
+    const double reach = k.cwiseAbs().dot(Eigen::Map<const Vector3d>(node.half)) + margin_;
+    const bool dry = above - reach >= 0, wet = above + reach < 0;
+    if (wet) add_whole(node, R_WB, height, sums);
+    if (!wet && !dry && node.leaf()) add_leaf(node, R_WB, height, sums);
+    i = wet || dry ? node.next : i + 1;
+  }
   return hydrostatics_of(sums, height);
 }
 
