@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hydro/radiation/diffraction_load.h"
+#include "hydro/radiation/long_waves.h"
 
 namespace assembly {
 namespace {
@@ -18,11 +19,11 @@ using FloatingModels = std::map<const hydro::RadiationData*, FloatingModel>;
 
 FloatingModel floating_model(const hydro::TriMesh& mesh_B, const hydro::Sea& sea,
                              const hydro::RadiationData& data,
-                             const hydro::RadiationMemory* memory) {
-  auto [load, momentum] = hydro::scattered_waves(data, sea);
-  return std::make_shared<const hydro::FloatingBody>(mesh_B, data,
-                                                     memory ? *memory : hydro::fit_memory(data),
-                                                     std::move(load), std::move(momentum));
+                             const hydro::RadiationMemory* stored) {
+  const hydro::RadiationMemory memory = stored ? *stored : hydro::fit_memory(data);
+  auto [load, momentum] = hydro::scattered_waves(hydro::balanced_diffraction(data, memory), sea);
+  return std::make_shared<const hydro::FloatingBody>(mesh_B, data, memory, std::move(load),
+                                                     std::move(momentum));
 }
 
 // Difference between the damping by the pressure on the hull and by the waves far away.

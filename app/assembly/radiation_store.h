@@ -16,7 +16,7 @@ namespace assembly {
 
 /// This version must be raised whenever `hydro::solve_radiation` or `hydro::fit_memory` gives other
 /// numbers; files of older versions are ignored.
-inline constexpr int kRadiationVersion = 5;
+inline constexpr int kRadiationVersion = 6;
 
 /// Everything on which a solution depends.
 struct RadiationProblem {

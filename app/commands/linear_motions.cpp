@@ -10,6 +10,7 @@
 #include "app/base/words.h"
 #include "hydro/airy_waves.h"
 #include "hydro/radiation/froude_krylov.h"
+#include "hydro/radiation/long_waves.h"
 
 namespace app {
 namespace {
@@ -44,7 +45,8 @@ LinearMotions motions_of(const assembly::BuiltScene& built, std::size_t i,
     throw scene::InputError(choice.database->file.string(),
                             spec.name + ": has no loads of waves, by which bodies respond");
   motions.memory = stored.memory ? *stored.memory : hydro::fit_memory(data);
-  motions.diffraction = std::make_shared<const hydro::DiffractionLoad>(data);
+  motions.diffraction = std::make_shared<const hydro::DiffractionLoad>(
+      hydro::balanced_diffraction(data, motions.memory));
 
   const Matrix6d turn = hydro::turn_of_heading(motions.heading);
   motions.body.inertia += turn * (sea.density * data.infinite_added_mass) * turn.transpose();

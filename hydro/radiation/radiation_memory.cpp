@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hydro/radiation/long_waves.h"
 #include "hydro/radiation/oscillator_fit.h"
 
 namespace hydro {
@@ -124,13 +125,14 @@ Matrix6cd response(const RadiationMemory& memory, double frequency) {
 
 RadiationMemory fit_memory(const RadiationData& data) {
   check_radiation(data);
-  const std::vector<Matrix6cd> H = responses(data);
+  const RadiationData longer = with_long_waves(data);
+  const std::vector<Matrix6cd> H = responses(data), to_fit = responses(longer);
   const Matrix6d largest = largest_entries(H);
   RadiationMemory memory;
   for (const std::vector<int>& motions : independent_motions(largest, body_length(data, largest))) {
     std::vector<Eigen::MatrixXcd> block;
-    for (const Matrix6cd& at : H) block.push_back(at(motions, motions));
-    append_block(fit_oscillators(data.frequencies, block), motions, memory);
+    for (const Matrix6cd& at : to_fit) block.push_back(at(motions, motions));
+    append_block(fit_oscillators(longer.frequencies, block), motions, memory);
   }
   set_errors(data.frequencies, H, memory);
   return memory;
