@@ -159,7 +159,7 @@ inline constexpr double kKeptMassTurn = 0.5;
 
 inline constexpr int kMostLinearisations = 6;  ///< Linearisations of the loads in an update.
 /// Energy that a linearisation misses, over the least so far, after which it is the last [-].
-inline constexpr double kLedAway = 1e4;
+inline constexpr double kNewtonDiverged = 1e4;
 inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half steps.
 /// Change of the velocities by a sweep, as the root of its energy over that of the motion, after
 /// which an island under joints or lines is solved [-]; one under contacts alone; and a heap, of
@@ -169,16 +169,17 @@ inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half 
 inline constexpr double kSolvedIsland = 1e-9;
 inline constexpr double kSolvedContacts = 1e-6;
 inline constexpr double kSolvedHeap = 1e-4;
-inline constexpr double kAcceptedMiss = 1e-3;  ///< The same, beyond which it counts as not solved.
-inline constexpr int kMostSweeps = 40;         ///< Sweeps for one linearisation of the loads.
+inline constexpr double kToleratedResidual =
+    1e-3;                               ///< The same, beyond which it counts as not solved.
+inline constexpr int kMostSweeps = 40;  ///< Sweeps for one linearisation of the loads.
 /// The same of contacts alone, the miss of which is not accepted yet.
 inline constexpr int kMostHeapSweeps = 120;
 inline constexpr int kSweepsOfContacts = 20;  ///< Between Newton steps in islands of contacts.
-inline constexpr int kSweepsBetween = 10;     ///< The same where joints or lines act.
+inline constexpr int kSweepsOfJoints = 10;    ///< The same where joints or lines act.
 /// Change by a pair of sweeps over that by the last pair, below which acceleration has led nearer
 /// and above which a long stride has led too far [-].
-inline constexpr double kGoodProgress = 0.7;
-inline constexpr double kBadProgress = 1.5;
+inline constexpr double kAndersonBelow = 0.7;
+inline constexpr double kRestartAbove = 1.5;
 inline constexpr int kMostRowSteps = 5;  ///< Newton steps in a row.
 /// Rows of an island that takes Newton steps: with joints or lines, and with contacts alone.
 inline constexpr std::size_t kMostNewtonRows = 6000;

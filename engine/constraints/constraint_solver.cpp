@@ -89,7 +89,7 @@ class Iteration {
     missed_ = swept();
     if (takes_newton_steps_) take_newton_steps();
     while (!converged() && sweeps_ < (accepted() || jointed_ ? kMostSweeps : kMostHeapSweeps)) {
-      take_sweeps(jointed_ ? kSweepsBetween : kSweepsOfContacts);
+      take_sweeps(jointed_ ? kSweepsOfJoints : kSweepsOfContacts);
       if (takes_newton_steps_ && !converged()) take_newton_steps();
     }
     return {.velocities = std::move(it_.velocities),
@@ -101,7 +101,7 @@ class Iteration {
  private:
   using Kind = ConstraintBlock::Kind;
 
-  bool accepted() const { return missed_ <= kAcceptedMiss * size_; }
+  bool accepted() const { return missed_ <= kToleratedResidual * size_; }
   bool converged() const { return missed_ <= solved_; }
 
   double swept() {
@@ -146,12 +146,12 @@ class Iteration {
       const double progress = missed / missed_;
       missed_ = missed;
       if (converged() || i + 2 > count) return;
-      if (progress < kGoodProgress) {
+      if (progress < kAndersonBelow) {
         set_scaled(anderson.next(x, scaled(it_)), it_);
         continue;
       }
       anderson = Anderson(kAndersonDepth);
-      stride = progress < kBadProgress ? 2 * stride : 1;
+      stride = progress < kRestartAbove ? 2 * stride : 1;
       const Eigen::VectorXd image = scaled(it_);
       if (stride > 1) set_scaled(image + stride * (image - x), it_);
     }

@@ -33,8 +33,8 @@ struct SubstepBody {
   std::optional<Eigen::Vector3d> load_acceleration_W;  ///< As that of Motion.
   Motion end;                                          ///< The result.
   double row_work = 0;                                 ///< Work of rows over the substep [J].
-  double inflow_work = 0;  ///< Energy that water has brought into its pockets [J].
-  bool abrupt = false;     ///< Loads changed by much on the way: the substep is to be judged.
+  double inflow_work = 0;           ///< Energy that water has brought into its pockets [J].
+  bool needs_energy_check = false;  ///< Loads changed by much on the way.
 
   const Body& body() const { return moving->body; }
 };

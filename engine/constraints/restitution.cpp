@@ -24,7 +24,7 @@ std::vector<Vector6d> added(const std::vector<Vector6d>& a, const std::vector<Ve
 
 }  // namespace
 
-bool restores(const std::vector<Contact>& contacts) {
+bool has_restitution(const std::vector<Contact>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
     return contact.rebounds && contact.row.speed > 0;
   });
@@ -36,20 +36,21 @@ std::vector<Contact> without_restitution(std::vector<Contact> contacts) {
   return contacts;
 }
 
-double work(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h) {
-  return h * product(answer.reactions, added(before, answer.changes, 0.5));
+double work(const ConstraintResult& result, const std::vector<Vector6d>& before, double h) {
+  return h * product(result.reactions, added(before, result.changes, 0.5));
 }
 
-bool gains(const ImpactAnswer& answer, const std::vector<Vector6d>& before, double h, double most) {
+bool adds_energy(const ConstraintResult& result, const std::vector<Vector6d>& before, double h,
+                 double most) {
   const double exchanged =
-      h * (std::abs(product(answer.reactions, before)) + product(answer.reactions, answer.changes));
-  const double gain = work(answer, before, h) - answer.row_work;
-  // The gain of an answer that is not solved may be infinite or NaN.
+      h * (std::abs(product(result.reactions, before)) + product(result.reactions, result.changes));
+  const double gain = work(result, before, h) - result.row_work;
+  // The gain of a result that is not solved may be infinite or NaN.
   return !std::isfinite(gain) || gain > most + kImpactGain * exchanged;
 }
 
-ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restored,
-                          const std::vector<Vector6d>& before, double h, double most) {
+ConstraintResult limit_energy(const ConstraintResult& plain, const ConstraintResult& restored,
+                              const std::vector<Vector6d>& before, double h, double most) {
   const std::vector<Vector6d> change = added(restored.changes, plain.changes, -1);
   const std::vector<Vector6d> reaction = added(restored.reactions, plain.reactions, -1);
   // W(s) = W(0) + b s + c s², where c = ½ h² Σ ΔR·S⁻¹ ΔR.
@@ -62,19 +63,19 @@ ImpactAnswer without_gain(const ImpactAnswer& plain, const ImpactAnswer& restore
   const double beta = b / (2 * c), rho = room / c;
   const double root = std::sqrt(beta * beta + rho);
   const double s = std::clamp(beta > 0 ? rho / (beta + root) : root - beta, 0.0, 1.0);
-  ImpactAnswer answer{.changes = added(plain.changes, change, s),
-                      .reactions = added(plain.reactions, reaction, s),
-                      .row_forces = plain.row_forces,
-                      .row_work = plain.row_work + s * (restored.row_work - plain.row_work),
-                      .joints = plain.joints,
-                      .solved = plain.solved && restored.solved};
-  for (std::size_t i = 0; i < answer.row_forces.size(); ++i)
-    answer.row_forces[i] += s * (restored.row_forces[i] - plain.row_forces[i]);
-  for (std::size_t i = 0; i < answer.joints.size(); ++i) {
-    answer.joints[i].force_W += s * (restored.joints[i].force_W - plain.joints[i].force_W);
-    answer.joints[i].moment_W += s * (restored.joints[i].moment_W - plain.joints[i].moment_W);
+  ConstraintResult result{.changes = added(plain.changes, change, s),
+                          .reactions = added(plain.reactions, reaction, s),
+                          .row_forces = plain.row_forces,
+                          .row_work = plain.row_work + s * (restored.row_work - plain.row_work),
+                          .joints = plain.joints,
+                          .solved = plain.solved && restored.solved};
+  for (std::size_t i = 0; i < result.row_forces.size(); ++i)
+    result.row_forces[i] += s * (restored.row_forces[i] - plain.row_forces[i]);
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    result.joints[i].force_W += s * (restored.joints[i].force_W - plain.joints[i].force_W);
+    result.joints[i].moment_W += s * (restored.joints[i].moment_W - plain.joints[i].moment_W);
   }
-  return answer;
+  return result;
 }
 
 }  // namespace engine

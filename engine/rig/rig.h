@@ -143,7 +143,7 @@ class Rig {
  private:
   struct End;  ///< An end of a line in a substep.
   /// A line from a body to what cannot move.
-  struct Tie {
+  struct LineToWorld {
     Eigen::Vector3d r_W;        ///< Its end, from the centre of mass.
     Eigen::Vector3d force_W;    ///< On the body [N].
     Eigen::Vector3d parting_W;  ///< Velocity of the end less that of the rest [m/s].
@@ -196,14 +196,17 @@ class Rig {
                 double h);
   void add_lines_to_world(const std::vector<MovingBody>& all, Island& island, SubstepBody& body,
                           double time, double h);
-  std::vector<Tie> ties_of(const std::vector<MovingBody>& all, Island& island,
-                           const SubstepBody& body, double time, double h, bool expected);
-  hydro::Wrench add_stiffly(const std::vector<Tie>& ties, SubstepBody& body, double h) const;
+  std::vector<LineToWorld> lines_to_world(const std::vector<MovingBody>& all, Island& island,
+                                          const SubstepBody& body, double time, double h,
+                                          bool expected);
+  hydro::Wrench add_implicit(const std::vector<LineToWorld>& lines, SubstepBody& body,
+                             double h) const;
   void add_line_row(const std::vector<MovingBody>& all, Island& island, std::size_t line,
                     double found, double time, double h);
   double sideways_phase(BodyId body, const Eigen::Vector3d& r, double T, double l, double lever,
                         double h) const;
-  void hold_sideways(const ForceRow& row, const End& end, const LineHold& hold, double h) const;
+  void add_lateral_inertia(const ForceRow& row, const End& end, const LineHold& hold,
+                           double h) const;
   void add_drive_load(const std::vector<MovingBody>& all, Island& island, std::size_t joint,
                       double time);
   void add_drive_rows(const std::vector<MovingBody>& all, Island& island, std::size_t joint,

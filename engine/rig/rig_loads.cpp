@@ -84,9 +84,10 @@ void Rig::add_line(const std::vector<MovingBody>& all, Island& island, std::size
   if (second.body) add_force(second.body->moving->rig_load, -pull.force_W, second.r_W);
 }
 
-std::vector<Rig::Tie> Rig::ties_of(const std::vector<MovingBody>& all, Island& island,
-                                   const SubstepBody& b, double time, double h, bool expected) {
-  std::vector<Tie> ties;
+std::vector<Rig::LineToWorld> Rig::lines_to_world(const std::vector<MovingBody>& all,
+                                                  Island& island, const SubstepBody& b, double time,
+                                                  double h, bool expected) {
+  std::vector<LineToWorld> lines;
   for (const std::size_t index : parts_[b.id].to_world) {
     if (lines_[index].broken) continue;
     const LineSpec& line = spec_->lines[index];
@@ -98,14 +99,14 @@ std::vector<Rig::Tie> Rig::ties_of(const std::vector<MovingBody>& all, Island& i
     const End& other = is_first ? second : first;
     const Vector3d way = other.point.place_W - own.point.place_W;
     const Vector3d rest_moves = -length_at(index, time).rate * way.stableNormalized();
-    ties.push_back({.r_W = own.r_W,
-                    .force_W = is_first ? pull.force_W : Vector3d(-pull.force_W),
-                    .parting_W = own.point.velocity_W - rest_moves,
-                    .stiffness = pull.stiffness,
-                    .damping = pull.damping,
-                    .mobility = mobility(b.id, is_first ? line.first.at : line.second.at)});
+    lines.push_back({.r_W = own.r_W,
+                     .force_W = is_first ? pull.force_W : Vector3d(-pull.force_W),
+                     .parting_W = own.point.velocity_W - rest_moves,
+                     .stiffness = pull.stiffness,
+                     .damping = pull.damping,
+                     .mobility = mobility(b.id, is_first ? line.first.at : line.second.at)});
   }
-  return ties;
+  return lines;
 }
 
 void Rig::add_lines_to_world(const std::vector<MovingBody>& all, Island& island, SubstepBody& b,
@@ -113,41 +114,43 @@ void Rig::add_lines_to_world(const std::vector<MovingBody>& all, Island& island,
   if (parts_[b.id].to_world.empty()) return;
   double stiffness = 0;
   hydro::Wrench load;
-  for (const Tie& tie : ties_of(all, island, b, time, h, true)) {
-    stiffness += (h * h * tie.stiffness + 2 * h * tie.damping).trace() * tie.mobility;
-    add_force(load, tie.force_W, tie.r_W);
+  for (const LineToWorld& line : lines_to_world(all, island, b, time, h, true)) {
+    stiffness += (h * h * line.stiffness + 2 * h * line.damping).trace() * line.mobility;
+    add_force(load, line.force_W, line.r_W);
   }
-  if (stiffness > kStiffLine) load = add_stiffly(ties_of(all, island, b, time, h, false), b, h);
+  if (stiffness > kStiffLine)
+    load = add_implicit(lines_to_world(all, island, b, time, h, false), b, h);
   b.moving->rig_load += load;
 }
 
-hydro::Wrench Rig::add_stiffly(const std::vector<Tie>& ties, SubstepBody& b, double h) const {
+hydro::Wrench Rig::add_implicit(const std::vector<LineToWorld>& lines, SubstepBody& b,
+                                double h) const {
   const Eigen::Matrix3d R_WB = b.halfway.state.orientation.toRotationMatrix();
   const hydro::Cholesky6 S(rotate_tensor(R_WB, b.body().rigid_B + b.added_B));
   const double step = spec_->step;
   double springs = 0, dampers = 0;  // sums over the directions of (1/s)², and of 1/s
-  const auto lever = [](const Tie& tie) {
+  const auto lever = [](const LineToWorld& line) {
     Eigen::Matrix<double, 3, 6> J;
-    J << Eigen::Matrix3d::Identity(), -cross_matrix(tie.r_W);
+    J << Eigen::Matrix3d::Identity(), -cross_matrix(line.r_W);
     return J;
   };
-  for (const Tie& tie : ties) {
-    const Eigen::Matrix<double, 3, 6> J = lever(tie);
+  for (const LineToWorld& line : lines) {
+    const Eigen::Matrix<double, 3, 6> J = lever(line);
     Eigen::Matrix3d mobility;
     for (int i = 0; i < 3; ++i) mobility.col(i) = J * S.solve(J.row(i).transpose());
-    springs += (tie.stiffness * mobility).trace();
-    dampers += (tie.damping * mobility).trace();
+    springs += (line.stiffness * mobility).trace();
+    dampers += (line.damping * mobility).trace();
   }
   const double damped = unresolved(std::max(step * std::sqrt(springs), step * dampers / 2));
   const auto [after, before] = spring_weights(damped, h, step);
   hydro::Wrench load;
   b.rig_inertia = Matrix6d::Zero();  // before rows add theirs
-  for (const Tie& tie : ties) {
-    const Vector3d ahead = h * (after - before) * tie.stiffness * tie.parting_W;
-    add_force(load, tie.force_W - ahead, tie.r_W);
+  for (const LineToWorld& line : lines) {
+    const Vector3d ahead = h * (after - before) * line.stiffness * line.parting_W;
+    add_force(load, line.force_W - ahead, line.r_W);
     const Eigen::Matrix3d X =
-        h * h * after * tie.stiffness + h * (0.5 + 0.5 * damped) * tie.damping;
-    *b.rig_inertia += lever(tie).transpose() * X * lever(tie);
+        h * h * after * line.stiffness + h * (0.5 + 0.5 * damped) * line.damping;
+    *b.rig_inertia += lever(line).transpose() * X * lever(line);
   }
   return load;
 }
@@ -173,7 +176,8 @@ void Rig::add_drive_load(const std::vector<MovingBody>& all, Island& island, std
   }
 }
 
-void Rig::hold_sideways(const ForceRow& row, const End& end, const LineHold& hold, double h) const {
+void Rig::add_lateral_inertia(const ForceRow& row, const End& end, const LineHold& hold,
+                              double h) const {
   if (!end.body || !(row.held > 0)) return;
   const double lever = std::max(0.0, hold.pull_W.dot(end.r_W));
   const double square = sideways_phase(end.body->id, end.r_W, row.held, hold.distance, lever, h);
@@ -238,7 +242,7 @@ void Rig::add_line_row(const std::vector<MovingBody>& all, Island& island, std::
   row.compliance = terms.compliance;
   row.held = std::max(lines_[index].tension, found);
   for (const auto& [end, sign] : {std::pair(&first, -1.0), std::pair(&second, 1.0)}) {
-    hold_sideways(row, *end, {.pull_W = sign * row.direction_W, .distance = distance}, h);
+    add_lateral_inertia(row, *end, {.pull_W = sign * row.direction_W, .distance = distance}, h);
     if (end->body)
       row.sideways = std::max(
           row.sideways, sideways_phase(end->body->id, end->r_W, 1, distance,

@@ -16,7 +16,7 @@ namespace engine {
 namespace {
 
 /// The terms of (E7) for one body, in W.
-struct Pushed {
+struct BodyEquation {
   Matrix6d S = Matrix6d::Identity();  ///< Effective inertia.
   Matrix6d mobility;                  ///< Its inverse in the velocities that locks leave.
   Vector6d load;                      ///< F, with the jump as a load.
@@ -27,7 +27,7 @@ struct Pushed {
   Vector6d unconstrained(double h) const { return before + h * mobility * load; }
 };
 
-Pushed make_pushed(const SubstepBody& c, double time, double h, hydro::Pieces pieces) {
+BodyEquation make_equation(const SubstepBody& c, double time, double h, hydro::Pieces pieces) {
   const EffectiveLoad effective =
       effective_load(*c.moving, c.midpoint, c.predicted, time, h, pieces);
   const Vector6d jump = c.midpoint.after - c.midpoint.before;
@@ -43,14 +43,14 @@ Pushed make_pushed(const SubstepBody& c, double time, double h, hydro::Pieces pi
 struct Problem {
   const StepContext& context;
   Island& island;
-  const std::vector<Pushed>& bodies;
+  const std::vector<BodyEquation>& bodies;
   double h;
 };
 
 /// Energy of the motion that the reactions act on, and of the one that loads add [J].
 double motion_energy(const Problem& problem) {
   double sum = 0;
-  for (const Pushed& b : problem.bodies) {
+  for (const BodyEquation& b : problem.bodies) {
     const Vector6d push = problem.h * b.load;
     sum += b.before.dot(b.S * b.before) + push.dot(b.mobility * push);
   }
@@ -116,22 +116,19 @@ std::vector<JointReaction> joint_reactions(const Problem& problem,
   return reactions;
 }
 
-/// An answer to the loads: the changes of velocity, and R.
-using Answer = ImpactAnswer;
-
 /// Forces of the rows of lines and drives, whose blocks come last, and their work.
 void add_rows(const Problem& problem, const std::vector<ConstraintBlock>& blocks,
-              const ConstraintSolution& found, Answer& answer) {
+              const ConstraintSolution& found, ConstraintResult& result) {
   const std::size_t rows = problem.island.rows.size();
   for (std::size_t k = blocks.size() - rows; k < blocks.size(); ++k) {
     const double impulse = found.impulses[k][0];
-    answer.row_forces.push_back(impulse / problem.h);
+    result.row_forces.push_back(impulse / problem.h);
     for (int side = 0; side < 2; ++side) {
       const auto place = place_in(problem.island, blocks[k].bodies[side]);
       if (!place) continue;
-      const Pushed& body = problem.bodies[*place];
+      const BodyEquation& body = problem.bodies[*place];
       const Vector6d mean = (body.before + body.jump + found.velocities[*place]) / 2;
-      answer.row_work += impulse * blocks[k].J[side].row(0).dot(mean);
+      result.row_work += impulse * blocks[k].J[side].row(0).dot(mean);
     }
   }
 }
@@ -161,12 +158,12 @@ void keep_forces(const std::vector<ConstraintBlock>& blocks,
   }
 }
 
-Answer solve(const Problem& problem, const Constraints& constraints) {
+ConstraintResult solve(const Problem& problem, const Constraints& constraints) {
   const Island& island = problem.island;
   std::vector<ConstrainedBody> bodies;
   bodies.reserve(island.bodies.size());
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const Pushed& b = problem.bodies[i];
+    const BodyEquation& b = problem.bodies[i];
     bodies.push_back({island.bodies[i]->id, b.S, b.mobility, b.unconstrained(problem.h)});
   }
   const std::vector<ConstraintBlock> blocks = blocks_of(problem, constraints);
@@ -176,32 +173,33 @@ Answer solve(const Problem& problem, const Constraints& constraints) {
       solve_constraints(bodies, blocks, expected_impulses(problem, constraints, blocks),
                         std::sqrt(2 * motion_energy(problem)));
   keep_forces(blocks, found.impulses, problem);
-  Answer answer{.joints = joint_reactions(problem, constraints.joints, blocks, found.impulses),
-                .solved = found.converged};
-  answer.changes.reserve(bodies.size());
-  answer.reactions.reserve(bodies.size());
+  ConstraintResult result{
+      .joints = joint_reactions(problem, constraints.joints, blocks, found.impulses),
+      .solved = found.converged};
+  result.changes.reserve(bodies.size());
+  result.reactions.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Pushed& b = problem.bodies[i];
+    const BodyEquation& b = problem.bodies[i];
     const Vector6d change = found.velocities[i] - b.before;
-    answer.changes.push_back(change - b.jump);
-    answer.reactions.push_back(b.S * change / problem.h - b.load);
+    result.changes.push_back(change - b.jump);
+    result.reactions.push_back(b.S * change / problem.h - b.load);
     island.bodies[i]->moving->counts.iterations += found.sweeps;
   }
-  add_rows(problem, blocks, found, answer);
-  return answer;
+  add_rows(problem, blocks, found, result);
+  return result;
 }
 
-/// The answer without any forces of constraints.
-Answer without_reactions(const Problem& problem, Answer answer) {
+/// The result without any forces of constraints.
+ConstraintResult without_reactions(const Problem& problem, ConstraintResult result) {
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const Pushed& b = problem.bodies[i];
-    answer.changes[i] = b.unconstrained(problem.h) - b.before - b.jump;
-    answer.reactions[i].setZero();
+    const BodyEquation& b = problem.bodies[i];
+    result.changes[i] = b.unconstrained(problem.h) - b.before - b.jump;
+    result.reactions[i].setZero();
   }
-  std::ranges::fill(answer.row_forces, 0);
-  answer.row_work = 0;
-  for (JointReaction& joint : answer.joints) joint.force_W = joint.moment_W = {0, 0, 0};
-  return answer;
+  std::ranges::fill(result.row_forces, 0);
+  result.row_work = 0;
+  for (JointReaction& joint : result.joints) joint.force_W = joint.moment_W = {0, 0, 0};
+  return result;
 }
 
 /// A bound of the energy that contacts may give as they push bodies apart [J].
@@ -218,42 +216,43 @@ double overlap_energy(const Problem& problem) {
 std::vector<Vector6d> velocities_before(const Problem& problem) {
   std::vector<Vector6d> before;
   before.reserve(problem.bodies.size());
-  for (const Pushed& b : problem.bodies) before.push_back(b.before + b.jump);
+  for (const BodyEquation& b : problem.bodies) before.push_back(b.before + b.jump);
   return before;
 }
 
-/// The answer, less what restitution would give of energy (E33).
-Answer less_restitution(const Problem& problem, const std::vector<JointFrames>& joints,
-                        Answer answer) {
-  if (!restores(problem.island.contacts)) return answer;
+/// The result, less what restitution would give of energy (E33).
+ConstraintResult without_created_energy(const Problem& problem,
+                                        const std::vector<JointFrames>& joints,
+                                        ConstraintResult result) {
+  if (!has_restitution(problem.island.contacts)) return result;
   const std::vector<Vector6d> before = velocities_before(problem);
-  if (!gains(answer, before, problem.h, 0)) return answer;
+  if (!adds_energy(result, before, problem.h, 0)) return result;
   const std::vector<Contact> contacts = without_restitution(problem.island.contacts);
-  return without_gain(solve(problem, {joints, contacts}), answer, before, problem.h, 0);
+  return limit_energy(solve(problem, {joints, contacts}), result, before, problem.h, 0);
 }
 
-/// The answer; of one that is not solved only what no more than overlaps give of energy.
-Answer solve(const Problem& problem) {
+/// The result; of one that is not solved only what no more than overlaps give of energy.
+ConstraintResult solve(const Problem& problem) {
   std::vector<BodyId> ids;
   for (const SubstepBody* b : problem.island.bodies) ids.push_back(b->id);
   const std::vector<JointFrames> joints = problem.context.world.joints_of(ids);
-  Answer answer =
-      less_restitution(problem, joints, solve(problem, {joints, problem.island.contacts}));
-  if (answer.solved) return answer;
+  ConstraintResult result =
+      without_created_energy(problem, joints, solve(problem, {joints, problem.island.contacts}));
+  if (result.solved) return result;
   const std::vector<Vector6d> before = velocities_before(problem);
   // A substep as long as kShortestContact may gain the whole amount; shorter ones share it.
   const double part = problem.h / std::max(problem.h, kShortestContact);
   const double most = part * (kUnsolvedWork * motion_energy(problem) + overlap_energy(problem));
-  if (!gains(answer, before, problem.h, most)) return answer;
-  return without_gain(without_reactions(problem, answer), answer, before, problem.h, most);
+  if (!adds_energy(result, before, problem.h, most)) return result;
+  return limit_energy(without_reactions(problem, result), result, before, problem.h, most);
 }
 
 /// True if the changes agree with those that the loads were linearised about.
-bool has_converged(const Problem& problem, const Answer& answer) {
+bool has_converged(const Problem& problem, const ConstraintResult& result) {
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const Pushed& b = problem.bodies[i];
+    const BodyEquation& b = problem.bodies[i];
     if (!b.implicit) continue;
-    const Vector6d& change = answer.changes[i];
+    const Vector6d& change = result.changes[i];
     const Vector6d off = change - problem.island.bodies[i]->predicted;
     if (off.dot(b.S * off) > kNewtonTolerance * kNewtonTolerance * change.dot(b.S * change))
       return false;
@@ -262,70 +261,70 @@ bool has_converged(const Problem& problem, const Answer& answer) {
 }
 
 /// Energy of what the changes miss of those that the loads were linearised about.
-double missed(const Problem& problem, const Answer& answer) {
+double missed(const Problem& problem, const ConstraintResult& result) {
   double sum = 0;
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-    const Pushed& b = problem.bodies[i];
+    const BodyEquation& b = problem.bodies[i];
     if (!b.implicit) continue;
-    const Vector6d off = answer.changes[i] - problem.island.bodies[i]->predicted;
+    const Vector6d off = result.changes[i] - problem.island.bodies[i]->predicted;
     sum += off.dot(b.S * off);
   }
   return sum;
 }
 
-/// Makes the answer that of the island.
-void keep(const Problem& problem, const Answer& answer) {
+/// Makes the result that of the island.
+void keep(const Problem& problem, const ConstraintResult& result) {
   Island& island = problem.island;
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     SubstepBody& c = *island.bodies[k];
-    const Pushed& b = problem.bodies[k];
-    c.update = {.change = answer.changes[k], .implicit = b.implicit, .unsolved = !answer.solved};
-    c.reaction_B = rotate(c.midpoint.R_WB.transpose(), answer.reactions[k]);
+    const BodyEquation& b = problem.bodies[k];
+    c.update = {.change = result.changes[k], .implicit = b.implicit, .unsolved = !result.solved};
+    c.reaction_B = rotate(c.midpoint.R_WB.transpose(), result.reactions[k]);
     c.load_acceleration_W = (b.mobility * b.load).head<3>();
   }
-  for (std::size_t k = 0; k < island.rows.size(); ++k) island.rows[k].force = answer.row_forces[k];
-  island.reactions = answer.joints;
+  for (std::size_t k = 0; k < island.rows.size(); ++k) island.rows[k].force = result.row_forces[k];
+  island.reactions = result.joints;
 }
 
 /// The state that the loads alone lead a body to.
-hydro::BodyState unconstrained_state(const SubstepBody& c, const Pushed& b, double h) {
+hydro::BodyState unconstrained_state(const SubstepBody& c, const BodyEquation& b, double h) {
   return with_velocity(c.halfway.state, b.unconstrained(h), Eigen::Vector3d::Zero());
 }
 
-/// Solves (E7) for loads that are linearised about the last answer, until both agree; where they
-/// lead away from each other, the nearest answer counts.
+/// Solves (E7) for loads that are linearised about the last result, until both agree; where they
+/// lead away from each other, the nearest result counts.
 /// @return true if they agree
 bool linearise(const StepContext& context, Island& island, double time, double h,
                hydro::Pieces pieces) {
-  std::vector<Pushed> pushed(island.bodies.size());
-  const Problem problem{.context = context, .island = island, .bodies = pushed, .h = h};
+  std::vector<BodyEquation> equations(island.bodies.size());
+  const Problem problem{.context = context, .island = island, .bodies = equations, .h = h};
   double least = std::numeric_limits<double>::infinity();
   // On fine pieces, half steps lead no nearer.
   const int most = pieces == hydro::Pieces::fine ? kFullNewtonSteps : kMostLinearisations;
   for (int i = 0; i < most; ++i) {
-    parallel_for_rethrow(context.parallel_for, pushed.size(), [&](std::size_t k) {
+    parallel_for_rethrow(context.parallel_for, equations.size(), [&](std::size_t k) {
       context.check_stop();
-      pushed[k] = make_pushed(*island.bodies[k], time, h, pieces);
+      equations[k] = make_equation(*island.bodies[k], time, h, pieces);
     });
-    for (std::size_t k = 0; k < pushed.size(); ++k) {
-      const hydro::BodyState state = unconstrained_state(*island.bodies[k], pushed[k], h);
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+      const hydro::BodyState state = unconstrained_state(*island.bodies[k], equations[k], h);
       // Loads that lead beyond all bounds are a fault of the motion only where none led elsewhere.
       if (i == 0 && pieces == hydro::Pieces::coarse)
         check_state(*island.bodies[k]->moving, state);
       else if (state_fault(state))
         return false;
     }
-    const Answer answer = solve(problem);
-    const bool done = has_converged(problem, answer);
-    const double off = missed(problem, answer);
-    if (done || !(off >= least)) keep(problem, answer);
+    const ConstraintResult result = solve(problem);
+    const bool done = has_converged(problem, result);
+    const double off = missed(problem, result);
+    if (done || !(off >= least)) keep(problem, result);
     if (done) return true;
-    if (off > kLedAway * least) return false;
+    if (off > kNewtonDiverged * least) return false;
     least = std::min(least, off);
-    for (std::size_t k = 0; k < pushed.size(); ++k) {
+    for (std::size_t k = 0; k < equations.size(); ++k) {
       // Where Newton's method alternates, the mean is nearer.
       Vector6d& predicted = island.bodies[k]->predicted;
-      const Vector6d& change = answer.changes[k];
+      const Vector6d& change = result.changes[k];
       predicted = i < kFullNewtonSteps ? change : Vector6d((predicted + change) / 2);
     }
   }

@@ -22,7 +22,7 @@
 /// The step does not depend on a lagged acceleration: S has the whole added mass. Where the loads
 /// are stiff they are linearised about the change that the constraints lead to, and the constraints
 /// solved anew until both agree. In waves where they do not, the loads are linearised on finer
-/// pieces of the hull; where they still do not, the answer that is nearest to its linearisation
+/// pieces of the hull; where they still do not, the result that is nearest to its linearisation
 /// counts.
 
 namespace engine {

@@ -48,7 +48,7 @@ double work_done(const MovingBody& moving, const hydro::BodyState& before,
 /// True if the loads of a free substep were abrupt, or if one under joints is a large part of an
 /// oscillation.
 bool is_suspect(const SubstepBody& b, double h) {
-  if (!b.end.constrained) return b.abrupt;
+  if (!b.end.constrained) return b.needs_energy_check;
   return !is_smooth(b.end.accelerations, h);
 }
 

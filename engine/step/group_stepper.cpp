@@ -28,7 +28,7 @@ World::Placed placed(const SubstepBody& b) {
                           -b.body().environment.gravity * Eigen::Vector3d::UnitZ())}};
 }
 
-constexpr std::size_t kLoneBodies = 16;  // Bodies per part.
+constexpr std::size_t kSingleBodies = 16;  // Bodies per part.
 const std::vector<EnergyLimiter*> kNoLimiters;
 
 /// True if the motion has no history yet and is about to get one.
@@ -83,11 +83,11 @@ GroupStepper::GroupStepper(const StepContext& context, Group group,
     for (const Pair& pair : group_.near) append(forces_of(pair, past.forces), forces_);
 }
 
-GroupStepper::GroupStepper(const StepContext& context, const LoneBody& body, double step)
+GroupStepper::GroupStepper(const StepContext& context, const SingleBody& body, double step)
     : GroupStepper(context, {.bodies = {body.id}, .joints = {}, .near = {}}, {}, kNoLimiters, {},
                    step) {}
 
-void GroupStepper::take(const LoneBody& body) {
+void GroupStepper::rebind(const SingleBody& body) {
   group_.bodies.front() = body.id;
   Member& m = members_.front();
   m.id = body.id;
@@ -121,7 +121,7 @@ void GroupStepper::advance(double time, double length) {
   record_ = {};
 }
 
-std::optional<std::vector<Group>> GroupStepper::parts_in(double time, double length) {
+std::optional<std::vector<Group>> GroupStepper::split_by_contact(double time, double length) {
   if (is_part_ || members_.size() == 1) return std::nullopt;
   std::optional<std::vector<Pair>> connections = impacts_.meetings(length);
   if (!connections) return std::nullopt;
@@ -148,13 +148,13 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
   std::vector<BodyId> grouped;
   for (const Group& part : parts) append(part.bodies, grouped);
   std::ranges::sort(grouped);
-  std::vector<LoneBody> others;
+  std::vector<SingleBody> others;
   for (const Member& m : members_) {
     if (std::ranges::binary_search(grouped, m.id)) continue;
     m.moving->motion.longest_after_impact = std::numeric_limits<double>::infinity();
     others.push_back({m.id, own_[m.id]});
   }
-  const LoneBodies lone(context_, std::move(others), whole_step_);
+  const SingleBodies single(context_, std::move(others), whole_step_);
   const PastContacts past = contacts();
   std::vector<std::unique_ptr<GroupStepper>> steppers;
   for (const Group& part : parts) {
@@ -162,9 +162,9 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
         std::make_unique<GroupStepper>(context_, part, limiters_of(part), own_, past, whole_step_));
     steppers.back()->is_part_ = true;
   }
-  parallel_for_rethrow(context_.parallel_for, steppers.size() + lone.parts(), [&](std::size_t i) {
+  parallel_for_rethrow(context_.parallel_for, steppers.size() + single.parts(), [&](std::size_t i) {
     if (i < steppers.size()) return steppers[i]->advance_in_substeps(time, length, false);
-    lone.advance(i - steppers.size(), time, length);
+    single.advance(i - steppers.size(), time, length);
   });
   std::vector<PastContacts> ends;
   for (const auto& stepper : steppers) {
@@ -174,13 +174,13 @@ void GroupStepper::advance_parts(const std::vector<Group>& parts, double time, d
     append(stepper->overlaps_, overlaps_);
   }
   PastContacts end = joined(ends);
-  impacts_.end_with(std::move(end.touching));
+  impacts_.set_touching(std::move(end.touching));
   forces_ = std::move(end.forces);
 }
 
 void GroupStepper::advance_in_substeps(double time, double length, bool halves) {
   if (!halves) {
-    const std::optional<std::vector<Group>> parts = parts_in(time, length);
+    const std::optional<std::vector<Group>> parts = split_by_contact(time, length);
     if (parts) return advance_parts(*parts, time, length);
   }
   const bool starting = is_alone_ && !halves && starts(*members_.front().moving);
@@ -242,9 +242,9 @@ bool GroupStepper::must_halve(double h, bool halves) {
     if (!m.island) continue;
     const Motion& before = m.moving->motion;
     unresolved = unresolved || (!m.touching && added_mass_jumps(m.body(), before, m.end));
-    if (!(gained || m.abrupt)) continue;
+    if (!(gained || m.needs_energy_check)) continue;
     followed = followed && can_be_followed(m.body(), before, h);
-    if (!m.abrupt || !m.body().wet) continue;
+    if (!m.needs_energy_check || !m.body().wet) continue;
     unresolved = unresolved || overshoots_surface(m.body(), before.state, m.end.state, h);
   }
   return (unresolved && h / 2 >= shortest_) || (gained && followed);
@@ -260,12 +260,12 @@ void GroupStepper::accept(double time, double h) {
   if (is_alone_) return;
   add_overlaps(contacts_.points, time + h / 2, overlaps_);
   keep_forces();
-  std::vector<LoneBody> others;
+  std::vector<SingleBody> others;
   for (const Member& m : members_)
     if (!m.island) others.push_back({m.id, own_[m.id]});
-  const LoneBodies lone(context_, std::move(others), whole_step_);
-  parallel_for_rethrow(context_.parallel_for, lone.parts(),
-                       [&](std::size_t i) { lone.advance(i, time, h); });
+  const SingleBodies single(context_, std::move(others), whole_step_);
+  parallel_for_rethrow(context_.parallel_for, single.parts(),
+                       [&](std::size_t i) { single.advance(i, time, h); });
   impacts_.accept(contacts_.pairs);
 }
 
@@ -381,17 +381,19 @@ void GroupStepper::find_islands() {
   }
 }
 
-std::size_t LoneBodies::parts() const { return (bodies_.size() + kLoneBodies - 1) / kLoneBodies; }
+std::size_t SingleBodies::parts() const {
+  return (bodies_.size() + kSingleBodies - 1) / kSingleBodies;
+}
 
-void LoneBodies::advance(std::size_t part, double time, double length) const {
-  const std::size_t first = part * kLoneBodies;
-  const std::size_t last = std::min(first + kLoneBodies, bodies_.size());
+void SingleBodies::advance(std::size_t part, double time, double length) const {
+  const std::size_t first = part * kSingleBodies;
+  const std::size_t last = std::min(first + kSingleBodies, bodies_.size());
   GroupStepper stepper(context_, bodies_[first], step_);
   for (std::size_t i = first; i < last; ++i) {
     if (i + 2 < last) prefetch(context_.bodies[bodies_[i + 2].id]);
     if (i + 1 < last) prefetch(*context_.bodies[bodies_[i + 1].id].body.spec);
     if (i + 1 < last && bodies_[i + 1].limiter) prefetch(*bodies_[i + 1].limiter);
-    stepper.take(bodies_[i]);
+    stepper.rebind(bodies_[i]);
     stepper.advance(time, length);
   }
 }

@@ -35,7 +35,7 @@ PastContacts joined(const std::vector<PastContacts>& groups);
 
 /// A body that is a group of its own, and the limiter that judges it; null if that judges others,
 /// too.
-struct LoneBody {
+struct SingleBody {
   BodyId id;
   EnergyLimiter* limiter;
 };
@@ -59,11 +59,11 @@ class GroupStepper {
   const std::vector<Overlap>& overlaps() const { return overlaps_; }
 
  private:
-  friend class LoneBodies;
-  /// For one lone body after another.
-  GroupStepper(const StepContext& context, const LoneBody& body, double step);
-  /// Puts another lone body in the place of the last one.
-  void take(const LoneBody& body);
+  friend class SingleBodies;
+  /// For one single body after another.
+  GroupStepper(const StepContext& context, const SingleBody& body, double step);
+  /// Puts another single body in the place of the last one.
+  void rebind(const SingleBody& body);
 
   struct Member : SubstepBody {
     std::optional<std::size_t> island;  ///< Its place in `islands_`; none: it is in no island.
@@ -86,7 +86,7 @@ class GroupStepper {
   void advance_in_substeps(double time, double length, bool halves);
   /// The groups of the bodies that have to do with each other in a time [s]. None: these are all
   /// bodies, or no impact shortens the substeps.
-  std::optional<std::vector<Group>> parts_in(double time, double length);
+  std::optional<std::vector<Group>> split_by_contact(double time, double length);
   void advance_parts(const std::vector<Group>& parts, double time, double length);
   void advance_within_tolerance(double time, double length);
   /// Finds the ends of a substep of all islands.
@@ -113,8 +113,8 @@ class GroupStepper {
   bool is_alone_;
   bool is_part_ = false;     ///< The group is a part of one that was divided.
   const double whole_step_;  ///< The scene's [s].
-  double step_;              ///< The same, or, of a lone body, the part of it that is advanced [s].
-  double shortest_;          ///< Substep that is not halved any more for its energy or error [s].
+  double step_;      ///< The same, or, of a single body, the part of it that is advanced [s].
+  double shortest_;  ///< Substep that is not halved any more for its energy or error [s].
   Impacts impacts_;
   World::Contacts contacts_;
   std::optional<std::pair<double, double>> found_;  ///< Time and h of the contacts [s].
@@ -127,10 +127,10 @@ class GroupStepper {
 };
 
 /// Bodies that are groups of their own, in parts that may be advanced at once.
-class LoneBodies {
+class SingleBodies {
  public:
   /// The objects that it refers to must outlive it. @param step   The scene's step [s].
-  LoneBodies(const StepContext& context, std::vector<LoneBody> bodies, double step)
+  SingleBodies(const StepContext& context, std::vector<SingleBody> bodies, double step)
       : context_(context), bodies_(std::move(bodies)), step_(step) {}
 
   std::size_t parts() const;
@@ -139,7 +139,7 @@ class LoneBodies {
 
  private:
   const StepContext& context_;
-  std::vector<LoneBody> bodies_;
+  std::vector<SingleBody> bodies_;
   double step_;
 };
 

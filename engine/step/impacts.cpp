@@ -28,32 +28,33 @@ hydro::BodyState expected_state(const MovingBody& moving, double time) {
 
 /// States at any times of a substep. Each follows from the nearest known one before it, so that the
 /// drift of a body that spins fast is not repeated as a whole for each of them.
-class ExpectedWays {
+class PredictedStates {
  public:
-  explicit ExpectedWays(const StepContext& context) : context_(context) {}
+  explicit PredictedStates(const StepContext& context) : context_(context) {}
 
-  hydro::BodyState state(BodyId id, double time) {
+  hydro::BodyState state_at(BodyId id, double time) {
     const MovingBody& moving = context_.bodies[id];
-    Way& way = ways_.try_emplace(id, Way{moving.motion, {{0, moving.motion.state}}}).first->second;
-    const auto after = way.drifted.upper_bound(time);
+    Drift& drift =
+        drifts_.try_emplace(id, Drift{moving.motion, {{0, moving.motion.state}}}).first->second;
+    const auto after = drift.drifted.upper_bound(time);
     const auto& [known, state] = *std::prev(after);
     if (known < time) {
-      way.motion.state = state;
+      drift.motion.state = state;
       const hydro::BodyState drifted =
-          state_after_drift(moving.body, way.motion, moving.body.current(), time - known);
-      return with_acceleration(moving, way.drifted.emplace_hint(after, time, drifted)->second,
+          state_after_drift(moving.body, drift.motion, moving.body.current(), time - known);
+      return with_acceleration(moving, drift.drifted.emplace_hint(after, time, drifted)->second,
                                time);
     }
     return with_acceleration(moving, state, time);
   }
 
  private:
-  struct Way {
+  struct Drift {
     Motion motion;
     std::map<double, hydro::BodyState> drifted;  ///< By the time from the start of the substep.
   };
   const StepContext& context_;
-  std::map<BodyId, Way> ways_;
+  std::map<BodyId, Drift> drifts_;
 };
 
 Impacts::Impacts(const StepContext& context, const Group& group, const std::vector<Pair>& touching,
@@ -64,7 +65,7 @@ Impacts::Impacts(const StepContext& context, const Group& group, const std::vect
       begun_(kImpactBegun * first_),
       step_(step),
       slow_(impact_speed(context.gravity)),
-      looks_(kMostPassingLooks * static_cast<int>(group.bodies.size())) {
+      queries_(kMostPassingLooks * static_cast<int>(group.bodies.size())) {
   std::set_intersection(group.near.begin(), group.near.end(), touching.begin(), touching.end(),
                         std::back_inserter(touching_));
 }
@@ -88,15 +89,15 @@ std::optional<std::vector<Pair>> Impacts::meetings(double h) const {
 
 std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching) {
   const bool resolved = touching.size() <= most_pairs() && count_ < kMostImpacts;
-  ExpectedWays ways(*context_);
+  PredictedStates states(*context_);
   std::vector<Onset> found;
   if (resolved) found = onsets(h);
   const int most = kMostPassings * static_cast<int>(group_->bodies.size());
-  bool passes = passings_ < most && add_passings(h, ways, found);
+  bool passes = passings_ < most && add_passings(h, states, found);
   if (found.empty()) return std::nullopt;
   // A shorter substep may miss an impact that the contacts halfway through a longer one show.
   double start = earliest(found);
-  while (passings_ < most && add_passings(start, ways, found)) {
+  while (passings_ < most && add_passings(start, states, found)) {
     start = earliest(found);
     passes = true;
   }
@@ -136,7 +137,7 @@ std::vector<Impacts::Onset> Impacts::onsets(double h) const {
   return found;
 }
 
-bool Impacts::add_passings(double h, ExpectedWays& ways, std::vector<Onset>& found) {
+bool Impacts::add_passings(double h, PredictedStates& states, std::vector<Onset>& found) {
   bool adds = false;
   for (const Pair& pair : group_->near) {
     const Speed speed = meeting_speed(pair);
@@ -144,7 +145,7 @@ bool Impacts::add_passings(double h, ExpectedWays& ways, std::vector<Onset>& fou
     if (!(speed.linear > slow_) || !(speed.linear * h > reach)) continue;
     const auto known = std::ranges::find(found, pair, &Onset::pair);
     if (known != found.end() && known->time <= h) continue;
-    const std::optional<double> time = passing(pair, h, speed, reach, ways);
+    const std::optional<double> time = passing(pair, h, speed, reach, states);
     if (!time) continue;
     adds = true;
     if (known != found.end())
@@ -194,9 +195,9 @@ double Impacts::turned_speed(const Pair& pair) const {
 }
 
 std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& speed, double reach,
-                                       ExpectedWays& ways) {
+                                       PredictedStates& states) {
   const auto state = [&](BodyId id, double time) {
-    if (can_move(context_->bodies, id)) return ways.state(id, time);
+    if (can_move(context_->bodies, id)) return states.state_at(id, time);
     return id == kWorld ? hydro::BodyState{} : context_->world.state(id);
   };
   const auto time = unseen_contact(context_->world,
@@ -207,7 +208,7 @@ std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& 
                                     .reach = reach,
                                     .slow = slow_,
                                     .state = state},
-                                   looks_);
+                                   queries_);
   const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
   if (met && time == 0.0) return std::nullopt;  // their contact stops them
   return time;

@@ -41,7 +41,7 @@
 
 namespace engine {
 
-class ExpectedWays;
+class PredictedStates;
 
 class Impacts {
  public:
@@ -67,7 +67,7 @@ class Impacts {
   /// substeps.
   std::optional<std::vector<Pair>> meetings(double h) const;
   /// Takes the pairs that touch at the end of a time that the parts of the group have taken.
-  void end_with(std::vector<Pair> touching) { touching_ = std::move(touching); }
+  void set_touching(std::vector<Pair> touching) { touching_ = std::move(touching); }
 
   /// Pairs in contact, ascending.
   const std::vector<Pair>& touching() const { return touching_; }
@@ -97,12 +97,12 @@ class Impacts {
   std::vector<Onset> onsets(double h) const;
   /// Adds the pairs that would pass in a substep, or makes their onsets earlier. @return true if it
   /// has found some
-  bool add_passings(double h, ExpectedWays& ways, std::vector<Onset>& found);
+  bool add_passings(double h, PredictedStates& states, std::vector<Onset>& found);
   double first_after(const Pair& pair, const Speed& speed) const;
   std::optional<double> onset(const Pair& pair, double time) const;
   /// The onset of a pair that would pass in the substep. @param reach   World::reach [m]
   std::optional<double> passing(const Pair& pair, double h, const Speed& speed, double reach,
-                                ExpectedWays& ways);
+                                PredictedStates& states);
 
   const StepContext* context_;
   const Group* group_;
@@ -112,7 +112,7 @@ class Impacts {
   double slow_;                   ///< Speed of (E15) [m/s].
   int count_ = 0;                 ///< Impacts in this step.
   int passings_ = 0;              ///< Passings in this step.
-  int looks_;                     ///< Looks for passings that are left in this step.
+  int queries_;                   ///< Queries for passings that are left in this step.
   std::vector<Pair> touching_;    ///< Ascending.
   std::vector<Pair> will_touch_;  ///< At the end of the next substep, or at its start.
 };

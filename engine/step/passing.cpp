@@ -16,10 +16,10 @@ struct Pose {
   Eigen::Matrix3d axes;
 };
 
-class Way {
+class SweptPair {
  public:
-  Way(World& world, const Flight& flight) : world_(world), flight_(flight) {
-    const auto [first, second] = flight.pair;
+  SweptPair(World& world, const PairMotion& motion) : world_(world), motion_(motion) {
+    const auto [first, second] = motion.pair;
     small_ = second;
     large_ = first;
     if (first != kWorld && size_of(first) < size_of(second)) std::swap(small_, large_);
@@ -28,14 +28,14 @@ class Way {
   /// True if the bodies close at a time.
   bool closes(double time) const {
     std::vector<std::pair<BodyId, hydro::BodyState>> places;
-    for (const BodyId id : {flight_.pair.first, flight_.pair.second})
-      if (id != kWorld) places.emplace_back(id, flight_.state(id, time));
-    return !world_.closing_times(places, flight_.pair, flight_.slow).empty();
+    for (const BodyId id : {motion_.pair.first, motion_.pair.second})
+      if (id != kWorld) places.emplace_back(id, motion_.state(id, time));
+    return !world_.closing_times(places, motion_.pair, motion_.slow).empty();
   }
 
   /// False if the bodies cannot touch between two times.
   bool may_touch(double t0, double t1) const {
-    return world_.meets(large_, flight_.state(large_, t1), swept(t0, t1));
+    return world_.meets(large_, motion_.state(large_, t1), swept(t0, t1));
   }
 
  private:
@@ -43,8 +43,8 @@ class Way {
 
   /// The small body's box as the large body sees it, with the large body where it is at `seen_at`.
   Pose pose(double time, const hydro::BodyState& seen_at) const {
-    const hydro::BodyState small = flight_.state(small_, time);
-    const hydro::BodyState large = flight_.state(large_, time);
+    const hydro::BodyState small = motion_.state(small_, time);
+    const hydro::BodyState large = motion_.state(large_, time);
     const Eigen::Matrix3d turn =
         (seen_at.orientation * large.orientation.conjugate()).toRotationMatrix();
     const Eigen::Matrix3d axes = small.orientation.toRotationMatrix();
@@ -61,11 +61,11 @@ class Way {
 
   /// The box that holds the small body between two times, with the large one where it is at `t1`.
   OrientedBox swept(double t0, double t1) const {
-    const hydro::BodyState seen_at = flight_.state(large_, t1);
+    const hydro::BodyState seen_at = motion_.state(large_, t1);
     const Pose start = pose(t0, seen_at), end = pose(t1, seen_at);
     const Eigen::Vector3d middle = (start.center + end.center) / 2, way = end.center - start.center;
     const double bend = 2 * (pose((t0 + t1) / 2, seen_at).center - middle).norm();
-    const double turn = std::min(2.0, flight_.turning * (t1 - t0)) * size_of(small_) / 2;
+    const double turn = std::min(2.0, motion_.turning * (t1 - t0)) * size_of(small_) / 2;
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
     if (way.norm() > 0) {
       axes.col(0) = way.normalized();
@@ -79,43 +79,44 @@ class Way {
   }
 
   World& world_;
-  const Flight& flight_;
+  const PairMotion& motion_;
   BodyId small_ = kWorld;
   BodyId large_ = kWorld;
 };
 
 /// The time before `t1`, at which the bodies close, from which on they do.
-double bisected(const Way& way, const Flight& flight, double t0, double t1, int& looks) {
-  while (flight.speed * (t1 - t0) > kPassingError * flight.reach) {
+double bisected(const SweptPair& pair, const PairMotion& motion, double t0, double t1,
+                int& queries) {
+  while (motion.speed * (t1 - t0) > kPassingError * motion.reach) {
     const double middle = (t0 + t1) / 2;
-    (way.closes(middle) ? t1 : t0) = middle;
-    --looks;
+    (pair.closes(middle) ? t1 : t0) = middle;
+    --queries;
   }
   return t0;
 }
 
 }  // namespace
 
-std::optional<double> unseen_contact(World& world, const Flight& flight, int& looks) {
-  const Way way(world, flight);
-  if (!way.may_touch(0, flight.h)) return std::nullopt;
-  std::vector<std::pair<double, double>> open = {{0, flight.h}};  // the earliest interval is last
-  for (; !open.empty() && looks > 0; --looks) {
+std::optional<double> unseen_contact(World& world, const PairMotion& motion, int& queries) {
+  const SweptPair pair(world, motion);
+  if (!pair.may_touch(0, motion.h)) return std::nullopt;
+  std::vector<std::pair<double, double>> open = {{0, motion.h}};  // the earliest interval is last
+  for (; !open.empty() && queries > 0; --queries) {
     const auto [t0, t1] = open.back();
     open.pop_back();
-    if (!way.may_touch(t0, t1)) continue;
-    if (flight.speed * (t1 - t0) > kPassingLook * flight.reach) {
+    if (!pair.may_touch(t0, t1)) continue;
+    if (motion.speed * (t1 - t0) > kPassingLook * motion.reach) {
       const double middle = (t0 + t1) / 2;
       open.emplace_back(middle, t1);
       open.emplace_back(t0, middle);
       continue;
     }
-    --looks;
-    const bool touches = t0 == 0 && way.closes(0);
-    if (!touches && !way.closes(t1)) continue;
+    --queries;
+    const bool touches = t0 == 0 && pair.closes(0);
+    if (!touches && !pair.closes(t1)) continue;
     // Halfway through the next substep, if that is cut short, the contact is seen.
-    if (way.closes(flight.h + flight.reach / flight.speed / 2)) return std::nullopt;
-    return touches ? 0 : bisected(way, flight, t0, t1, looks);
+    if (pair.closes(motion.h + motion.reach / motion.speed / 2)) return std::nullopt;
+    return touches ? 0 : bisected(pair, motion, t0, t1, queries);
   }
   return std::nullopt;
 }

@@ -33,7 +33,7 @@
 namespace engine {
 
 /// The motion of a pair in a substep.
-struct Flight {
+struct PairMotion {
   Pair pair;
   double h = 0;        ///< Length of the substep [s].
   double speed = 0;    ///< Bound of the relative speed of any two points, (E32) [m/s].
@@ -46,10 +46,10 @@ struct Flight {
 };
 
 /// Time from the start of the substep at which the pair first touches, just before it does [s]; 0
-/// where it touches already. None: it does not touch, or does so at the end as well, or no looks
-/// are left.
-/// @param looks   Boxes and collisions that are left; those that are taken beyond the first are
+/// where it touches already. None: it does not touch, or does so at the end as well, or no
+/// queries are left.
+/// @param queries   Boxes and collisions that are left; those that are taken beyond the first are
 ///   subtracted.
-std::optional<double> unseen_contact(World& world, const Flight& flight, int& looks);
+std::optional<double> unseen_contact(World& world, const PairMotion& motion, int& queries);
 
 }  // namespace engine

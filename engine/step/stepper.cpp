@@ -34,11 +34,11 @@ Stepper::Stepper(StepContext context, double step) : context_(std::move(context)
 
 std::vector<Overlap> Stepper::advance(double time) {
   std::vector<Group> groups = find_groups(near_pairs());
-  const LoneBodies lone(context_, lone_bodies(groups), step_);
+  const SingleBodies single(context_, single_bodies(groups), step_);
   std::vector<PastContacts> ends(groups.size());
   std::vector<std::vector<Overlap>> found(groups.size());
-  parallel_for_rethrow(context_.parallel_for, groups.size() + lone.parts(), [&](std::size_t i) {
-    if (i >= groups.size()) return lone.advance(i - groups.size(), time, step_);
+  parallel_for_rethrow(context_.parallel_for, groups.size() + single.parts(), [&](std::size_t i) {
+    if (i >= groups.size()) return single.advance(i - groups.size(), time, step_);
     if (!groups[i].joints.empty()) begin_on_joints(context_, groups[i].bodies);
     GroupStepper stepper(context_, groups[i], limiters_of(groups[i]), own_limiters_, contacts_,
                          step_);
@@ -84,14 +84,14 @@ std::vector<EnergyLimiter*> Stepper::limiters_of(const Group& group) {
   return limiters;
 }
 
-std::vector<LoneBody> Stepper::lone_bodies(const std::vector<Group>& groups) const {
+std::vector<SingleBody> Stepper::single_bodies(const std::vector<Group>& groups) const {
   std::vector<bool> alone(context_.bodies.size(), true);
   for (const Group& group : groups)
     for (const BodyId id : group.bodies) alone[id] = false;
-  std::vector<LoneBody> lone = watched_;
+  std::vector<SingleBody> single = watched_;
   for (const BodyId id : movable_)
-    if (alone[id]) lone.push_back({id, own_limiters_[id]});
-  return lone;
+    if (alone[id]) single.push_back({id, own_limiters_[id]});
+  return single;
 }
 
 StepperState Stepper::state() const {

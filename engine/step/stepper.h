@@ -44,13 +44,13 @@ class Stepper {
   std::vector<Group> find_groups(const std::vector<Pair>& near) const;
   std::vector<EnergyLimiter*> limiters_of(const Group& group);
   /// Bodies that are advanced and in no group.
-  std::vector<LoneBody> lone_bodies(const std::vector<Group>& groups) const;
+  std::vector<SingleBody> single_bodies(const std::vector<Group>& groups) const;
 
   StepContext context_;
   double step_;
-  std::vector<BodyId> movable_;    ///< Ascending.
-  std::vector<LoneBody> watched_;  ///< Bodies that cannot move but have loads or pockets.
-  std::vector<Pair> joints_;       ///< Joints that are not reduced, and couplings by lines.
+  std::vector<BodyId> movable_;      ///< Ascending.
+  std::vector<SingleBody> watched_;  ///< Bodies that cannot move but have loads or pockets.
+  std::vector<Pair> joints_;         ///< Joints that are not reduced, and couplings by lines.
   std::vector<EnergyLimiter> limiters_;
   std::vector<std::size_t> limiter_of_;       ///< Per body.
   std::vector<EnergyLimiter*> own_limiters_;  ///< Per body; null for one that judges others, too.

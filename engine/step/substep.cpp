@@ -231,8 +231,9 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
   counts.constrained += constrained;
   ++counts.substeps;
   b.row_work = constrained ? row_work(island, b, h) : 0;
-  b.abrupt = constrained ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
-                         : is_abrupt(b, h);
+  b.needs_energy_check = constrained
+                             ? b.body().wet && crosses_surface(b.body(), b.start, b.end.state)
+                             : is_abrupt(b, h);
   if (b.correction) {
     const auto after = find_correction(b.body(), b.end, h).value_or(*b.correction);
     correct(b.body(), after, -1, b.end);

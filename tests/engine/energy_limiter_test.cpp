@@ -17,7 +17,7 @@ struct Kicked {
     member.moving = &bodies[0];
     member.end = member.start_of();
     member.end.state.linear_velocity.x() = speed;
-    member.abrupt = true;
+    member.needs_energy_check = true;
   }
   struct Member : engine::SubstepBody {
     Motion start_of() const { return moving->motion; }
@@ -38,7 +38,7 @@ TEST(EnergyLimiter, HalvesAndThenRemovesWhatStillWaterCannotGive) {
 
 TEST(EnergyLimiter, LeavesSmoothSubstepsContactsAndWavesAlone) {
   Kicked smooth(10);
-  smooth.member.abrupt = false;
+  smooth.member.needs_energy_check = false;
   engine::EnergyLimiter limiter({0}, smooth.bodies);
   EXPECT_FALSE(limiter.judge({&smooth.member}, 0.01, false));
   EXPECT_TRUE(limiter.judge({&smooth.member}, 0.01, true));  // A half is judged in any case.

@@ -207,7 +207,7 @@ TEST(UnseenContact, IsWhereASphereReachesTheFaceOfABox) {
   };
   const double reach = world.reach({0, 1});
   EXPECT_NEAR(reach, kRadius, tolerance(1e-12));
-  int looks = 100;
+  int queries = 100;
   const auto time = engine::unseen_contact(world,
                                            {.pair = {0, 1},
                                             .h = 1.0 / 60,
@@ -216,7 +216,7 @@ TEST(UnseenContact, IsWhereASphereReachesTheFaceOfABox) {
                                             .reach = reach,
                                             .slow = 0.1,
                                             .state = state},
-                                           looks);
+                                           queries);
   ASSERT_TRUE(time);
   EXPECT_NEAR(*time, (2 - 0.05 - kRadius) / 340, tolerance(kRadius / 32 / 340));
 }

@@ -5,7 +5,7 @@
 
 namespace {
 
-using engine::ImpactAnswer;
+using engine::ConstraintResult;
 
 constexpr double kSteps[] = {1.0 / 60, 1.0 / 240};
 
@@ -130,9 +130,9 @@ TEST(Restitution, NeverGainsEnergyWhateverTheBodiesAndTheirSpeeds) {
 }
 
 /// Answers of bodies whose changes follow from their reactions.
-ImpactAnswer answer(const std::vector<Matrix6d>& inertia, const std::vector<Vector6d>& reactions,
-                    double h) {
-  ImpactAnswer answer{.changes = {}, .reactions = reactions};
+ConstraintResult answer(const std::vector<Matrix6d>& inertia,
+                        const std::vector<Vector6d>& reactions, double h) {
+  ConstraintResult answer{.changes = {}, .reactions = reactions};
   for (std::size_t i = 0; i < inertia.size(); ++i)
     answer.changes.push_back(h * inertia[i].inverse() * reactions[i]);
   return answer;
@@ -154,10 +154,10 @@ TEST(RestitutionWork, IsTakenBackToNothing) {
       first.push_back(-0.5 / h * inertia.back() * before.back());
       second.push_back(first.back() + 2 / h * any());
     }
-    const ImpactAnswer plain = answer(inertia, first, h), restored = answer(inertia, second, h);
-    if (!engine::gains(restored, before, h, 0)) continue;
+    const ConstraintResult plain = answer(inertia, first, h), restored = answer(inertia, second, h);
+    if (!engine::adds_energy(restored, before, h, 0)) continue;
     ++gained;
-    const ImpactAnswer kept = engine::without_gain(plain, restored, before, h, 0);
+    const ConstraintResult kept = engine::limit_energy(plain, restored, before, h, 0);
     EXPECT_NEAR(engine::work(kept, before, h), 0, tolerance(1e-12));
     // It lies between the two.
     const double s = (kept.changes[0] - plain.changes[0]).norm() /
@@ -171,12 +171,12 @@ TEST(RestitutionWork, IsTakenBackToNothing) {
 // What equations without a solution lead to may be beyond all numbers, or its square.
 TEST(Restitution, TakesNothingOfAnAnswerBeyondAllNumbers) {
   const std::vector<Vector6d> before(1, Vector6d::Unit(0));
-  const ImpactAnswer plain{.changes = {Vector6d::Zero()}, .reactions = {Vector6d::Zero()}};
+  const ConstraintResult plain{.changes = {Vector6d::Zero()}, .reactions = {Vector6d::Zero()}};
   for (const double size : {1e100, 1e140, 1e160, 1e300}) {
-    const ImpactAnswer thrown{.changes = {size * Vector6d::Unit(1)},
-                              .reactions = {size * Vector6d::Unit(1)}};
-    ASSERT_TRUE(engine::gains(thrown, before, 1, 1)) << size;
-    const ImpactAnswer kept = engine::without_gain(plain, thrown, before, 1, 1);
+    const ConstraintResult thrown{.changes = {size * Vector6d::Unit(1)},
+                                  .reactions = {size * Vector6d::Unit(1)}};
+    ASSERT_TRUE(engine::adds_energy(thrown, before, 1, 1)) << size;
+    const ConstraintResult kept = engine::limit_energy(plain, thrown, before, 1, 1);
     EXPECT_LE(engine::work(kept, before, 1), 1 + tolerance(1e-9)) << size;
   }
 }
