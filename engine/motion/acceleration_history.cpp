@@ -28,6 +28,13 @@ void AccelerationHistory::add(const Vector6d& acceleration_B, double h, double r
     dominant_frequency_ = std::max(dominant_frequency_, std::sqrt(2 * curvature / largest_));
 }
 
+void AccelerationHistory::shift(const Vector6d& jump_B, double radius) {
+  if (empty()) return;
+  acceleration_ += jump_B;
+  size_[0] = scaled_norm(acceleration_, radius);
+  largest_ = *std::max_element(size_.begin(), size_.end());
+}
+
 AccelerationHistory::Trend AccelerationHistory::trend() const {
   assert(count_ >= 3);
   // Newton's form of the parabola, whose time counts from the end of the last substep.

@@ -26,6 +26,10 @@ class AccelerationHistory {
     if (count_ == 1) slope_ = slope_B;
   }
 
+  /// Moves all known accelerations by that of a load which begins now: it is no part of their
+  /// trend.
+  void shift(const Vector6d& jump_B, double radius);
+
   /// Acceleration `ahead` [s] after the last substep, on the line through the last two, or through
   /// the only one with the slope that was set; zero without any.
   Vector6d expected(double ahead) const { return acceleration_ + (age_[0] + ahead) * slope_; }

@@ -45,8 +45,8 @@ void WaterCoupling::begin_step(long number, std::vector<MovingBody>& bodies, dou
       water_.begin(time, static_cast<double>(steps_) * spec_.step, states_of(bodies));
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].motion.water)
-      *bodies[i].motion.water = {.load = root * waves[i].load,
-                                 .momentum = root * waves[i].momentum};
+      begin_water_step(bodies[i], time,
+                       {.load = root * waves[i].load, .momentum = root * waves[i].momentum});
 }
 
 void WaterCoupling::end_step(long number, const std::vector<MovingBody>& bodies, double& seconds) {

@@ -2,8 +2,11 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "engine/motion/added_inertia.h"
 #include "engine/motion/free_motion.h"
+#include "engine/motion/moving_body.h"
 #include "engine/motion/velocity_update.h"
 #include "hydro/radiation/floating_body.h"
 #include "hydro/water/hull_sources.h"
@@ -74,6 +77,20 @@ std::optional<WaveMemory> still_memory(const Body& body) {
 std::optional<WaterMemory> still_water(const Body& body) {
   if (!body.has_memory || !body.spec->sources) return std::nullopt;
   return WaterMemory();
+}
+
+void begin_water_step(MovingBody& moving, double time, const WaterMemory& water) {
+  const Body& body = moving.body;
+  Motion& motion = moving.motion;
+  const WaterMemory last = std::exchange(*motion.water, water);
+  if (motion.constrained) return;
+  const double strength = port_strength(body, motion.state, time);
+  const hydro::WaveFrame frame = body.spec->radiation->frame(motion.state.orientation);
+  const Vector6d change = strength * frame.load_out(water_load(body, water, strength) -
+                                                    water_load(body, last, strength));
+  const Matrix6d mobility = mobility_matrix(inertia_W(body, motion), body.spec->locked);
+  const Eigen::Matrix3d R_WB = motion.state.orientation.toRotationMatrix();
+  motion.accelerations.shift(rotate(R_WB.transpose(), mobility * change), body.radius);
 }
 
 bool fits_memory(const Body& body, const Motion& motion) {

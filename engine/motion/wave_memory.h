@@ -61,6 +61,7 @@ namespace engine {
 struct Body;
 struct MidpointState;
 struct Motion;
+struct MovingBody;
 
 /// The oscillators' state.
 struct WaveMemory {
@@ -99,6 +100,10 @@ struct MemoryEffect {
 /// The memory of a body at rest; none for a body without one.
 std::optional<WaveMemory> still_memory(const Body& body);
 std::optional<WaterMemory> still_water(const Body& body);
+
+/// Lets the water begin a step at a time [s]. Where nothing but locks holds the body, the change
+/// of its load is known beforehand, and the accelerations that are extrapolated change by it.
+void begin_water_step(MovingBody& moving, double time, const WaterMemory& water);
 
 /// True if the motion's memory is one of this body.
 bool fits_memory(const Body& body, const Motion& motion);
