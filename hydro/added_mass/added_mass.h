@@ -37,7 +37,7 @@ struct AddedMassOptions {
   /// Faces are split no further than to this many panels; a mesh with more is solved as it is. Time
   /// and memory grow with the square of the panels up to 5,000; a larger mesh gets linear functions
   /// and compressed interactions, in a time and memory that grow as F log F.
-  int most_panels = 4000;
+  int most_panels = 2000;
 };
 
 /// ψ of the six motions on a triangle, linear: a row a motion, a column a corner.
