@@ -28,7 +28,7 @@ World::Placed placed(const SubstepBody& b) {
                           -b.body().environment.gravity * Eigen::Vector3d::UnitZ())}};
 }
 
-constexpr std::size_t kSingleBodies = 16;  // Bodies per part.
+constexpr std::size_t kInPart = 16;  // Single bodies.
 const std::vector<EnergyLimiter*> kNoLimiters;
 
 /// True if the motion has no history yet and is about to get one.
@@ -381,13 +381,11 @@ void GroupStepper::find_islands() {
   }
 }
 
-std::size_t SingleBodies::parts() const {
-  return (bodies_.size() + kSingleBodies - 1) / kSingleBodies;
-}
+std::size_t SingleBodies::parts() const { return (bodies_.size() + kInPart - 1) / kInPart; }
 
 void SingleBodies::advance(std::size_t part, double time, double length) const {
-  const std::size_t first = part * kSingleBodies;
-  const std::size_t last = std::min(first + kSingleBodies, bodies_.size());
+  const std::size_t first = part * kInPart;
+  const std::size_t last = std::min(first + kInPart, bodies_.size());
   GroupStepper stepper(context_, bodies_[first], step_);
   for (std::size_t i = first; i < last; ++i) {
     if (i + 2 < last) prefetch(context_.bodies[bodies_[i + 2].id]);
