@@ -169,8 +169,8 @@ inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half 
 inline constexpr double kSolvedIsland = 1e-9;
 inline constexpr double kSolvedContacts = 1e-6;
 inline constexpr double kSolvedHeap = 1e-4;
-inline constexpr double kToleratedResidual =
-    1e-3;                               ///< The same, beyond which it counts as not solved.
+/// The same, beyond which it counts as not solved.
+inline constexpr double kToleratedResidual = 1e-3;
 inline constexpr int kMostSweeps = 40;  ///< Sweeps for one linearisation of the loads.
 /// The same of contacts alone, the miss of which is not accepted yet.
 inline constexpr int kMostHeapSweeps = 120;

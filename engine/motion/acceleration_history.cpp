@@ -29,7 +29,7 @@ void AccelerationHistory::add(const Vector6d& acceleration_B, double h, double r
 }
 
 void AccelerationHistory::shift(const Vector6d& jump_B, double radius) {
-  if (empty()) return;
+  assert(!empty());
   acceleration_ += jump_B;
   size_[0] = scaled_norm(acceleration_, radius);
   largest_ = *std::max_element(size_.begin(), size_.end());

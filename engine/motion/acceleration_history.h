@@ -26,8 +26,7 @@ class AccelerationHistory {
     if (count_ == 1) slope_ = slope_B;
   }
 
-  /// Moves all known accelerations by that of a load which begins now: it is no part of their
-  /// trend.
+  /// Moves the known accelerations, of which there are some, by that of a load which begins now.
   void shift(const Vector6d& jump_B, double radius);
 
   /// Acceleration `ahead` [s] after the last substep, on the line through the last two, or through

@@ -83,7 +83,7 @@ void begin_water_step(MovingBody& moving, double time, const WaterMemory& water)
   const Body& body = moving.body;
   Motion& motion = moving.motion;
   const WaterMemory last = std::exchange(*motion.water, water);
-  if (motion.constrained) return;
+  if (motion.constrained || motion.accelerations.empty()) return;
   const double strength = port_strength(body, motion.state, time);
   const hydro::WaveFrame frame = body.spec->radiation->frame(motion.state.orientation);
   const Vector6d change = strength * frame.load_out(water_load(body, water, strength) -

@@ -11,7 +11,7 @@
 /// There the body sees one velocity u_w of the water, and only its own relative to that one makes
 /// waves:
 ///
-///     X_D = −(iωA − B) u_w + R,      u_w = ω (cos β, sin β, −i tanh kh, 0, 0, 0),           (1)
+///     X_D = −(iωA − B) u_w + R,      u_w = (gk/ω) (cos β, sin β, −i tanh kh, 0, 0, 0),      (1)
 ///
 /// for a wave of unit elevation, with a remainder R/k that vanishes as k. So the waves that a body
 /// makes and those that it scatters cancel under one that follows the water, and what is left of
