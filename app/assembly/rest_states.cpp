@@ -117,12 +117,12 @@ class Settling {
     for (long i = 0; i < kMostSteps; ++i) {
       simulation_.step();
       time += simulation_.spec().step;
+      if (!(largest_motion(start_) < kFarthest)) return std::nullopt;
       const double now = kinetic_energy();
       if (now >= energy && now > 0) {
         energy = now;
         continue;
       }
-      if (!(largest_motion(start_) < kFarthest)) return std::nullopt;
       const double least = std::ranges::min(radii_);
       const double acceleration = 2 * largest_motion(stopped_at_) * least / (time * time);
       stop();

@@ -22,7 +22,7 @@
 namespace python {
 namespace {
 
-/// What a scene's simulation on some threads is made of.
+/// Inputs of a simulation: its scene, and the number of threads.
 struct Parts {
   engine::SimulationSpec spec;
   SensorSpec sensors;
