@@ -95,12 +95,12 @@ EXAMPLES = {
         " --scale 1 --any-format --no-store --json"],
     "plimsoll radiation MESH-or-SCENE": [
         "plimsoll radiation box.obj --density 1025 --depth 20 --relative-density 0.5"
-        " --frequencies 1,2 --up z --unit m --scale 1 --any-format --no-store --json"
+        " --frequencies 1 --up z --unit m --scale 1 --any-format --no-store --json"
         " --wamit o/box --capytaine o/box.nc --plot o/box.svg",
         "plimsoll radiation box.obj --frequencies 1 --csv"],
     "plimsoll rao SCENE": [
-        "plimsoll rao box.yaml --headings 0:180:90 --periods 2,3 --body box"
-        " --set bodies[box].hydro.radiation=auto --any-format --no-store --json --out o/rao.csv",
+        "plimsoll rao scenes/basin_model.yaml --headings 0:180:90 --periods 2,3 --body model"
+        " --set duration=1 --any-format --no-store --json --out o/rao.csv",
         "plimsoll rao box.yaml --periods 2:3:0.5 --set bodies[box].hydro.radiation=auto --csv",
         "plimsoll rao box.yaml --headings 0 --periods 2 --runs --slope 0.01"
         " --set bodies[box].hydro.radiation=auto"],

@@ -33,8 +33,8 @@ class StoreOfRadiation : public testing::Test {
   }
   ~StoreOfRadiation() override { fs::remove_all(folder); }
 
-  /// Numbers that no solver need have found. A and B couple two motions alone, to which oscillators
-  /// are fitted a thousand times faster than to six.
+  /// Numbers that no solver need have found. They couple two motions alone, to which oscillators
+  /// are fitted forty times faster than to six.
   RadiationSolution some_solution() const {
     support::Random random(1);
     const auto fill = [&](auto&& entries) {
@@ -46,7 +46,7 @@ class StoreOfRadiation : public testing::Test {
     data.volume = 3;
     data.frequencies = {1, 2.5, 3};
     data.headings = {0, M_PI};
-    fill(data.infinite_added_mass.reshaped());
+    fill(data.infinite_added_mass.topLeftCorner<2, 2>().reshaped());
     for (int i = 0; i < 3; ++i) {
       for (auto* matrices : {&data.added_mass, &data.damping})
         fill(matrices->emplace_back(hydro::Matrix6d::Zero()).topLeftCorner<2, 2>().reshaped());
