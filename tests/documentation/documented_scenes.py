@@ -125,11 +125,16 @@ def take(step, machine, folder):
     return []
 
 
-def work_through(title, steps, machine, folder):
-    """Works through a task; returns its faults, and what was left out and why."""
-    folder.mkdir()
+def lay_out(folder):
+    """Makes a folder in which the paths of the guide lead somewhere."""
+    folder.mkdir(parents=True)
     for place in ("scenes", "scenes/meshes", "app"):
         (folder / Path(place).name).symlink_to(ROOT / place)
+
+
+def work_through(title, steps, machine, folder):
+    """Works through a task; returns its faults, and what was left out and why."""
+    lay_out(folder)
     for step in steps:
         where = f"{GUIDE}:{step.line}: {title}"
         lacking = missing_of(step, machine)

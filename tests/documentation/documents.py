@@ -1,4 +1,5 @@
-"""Checks all documents: that links lead somewhere, and that none is too long to be read.
+"""Checks all documents: that links lead somewhere, that none is too long to be read, and that each
+task of scenes/GUIDE.md has its picture.
 
 documents.py [--self-test]
 """
@@ -9,8 +10,11 @@ import sys
 from pathlib import Path
 from urllib.parse import unquote
 
+from documented_scenes import GUIDE, titles_of
+
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("app", "engine", "hydro", "scenes", "shaders", "tests", "tools")
+PICTURES = "pictures/guide"  # Folder of the pictures of the tasks, beside the guide.
 LONGEST = 300  # Lines. A longer document is two.
 # Documents that may be longer, and why.
 MAY_BE_LONG = {"scenes/KEYS.md": "is a reference, whose tables are generated",
@@ -44,11 +48,12 @@ def anchors_of(text):
 
 
 def links_of(text):
-    """The links of a document, (line, target), without those to other sites."""
+    """The links and pictures of a document, (line, target), without those of other sites."""
     prose = prose_of(text)
-    for match in re.finditer(r"\]\(([^()\s]+)\)", prose):
-        if not re.match(r"[a-z]+:", match[1]):
-            yield prose.count("\n", 0, match.start()) + 1, unquote(match[1])
+    for match in re.finditer(r'\]\(([^()\s]+)\)|<img\b[^>]*\bsrc="([^"]+)"', prose):
+        target = match[1] or match[2]
+        if not re.match(r"[a-z]+:", target):
+            yield prose.count("\n", 0, match.start()) + 1, unquote(target)
 
 
 def faults_of_links(name, text):
@@ -62,6 +67,22 @@ def faults_of_links(name, text):
             yield f"{name}:{line}: {target}: the document has no such heading"
 
 
+def faults_of_pictures(text, files):
+    """Tasks of the guide that do not have one picture each, and files that are the picture of none."""
+    titles = titles_of(text.split("\n"))
+    shown = {title: [] for title in titles if title is not None}
+    for line, target in links_of(text):
+        if target.startswith(f"{PICTURES}/"):
+            shown.setdefault(titles[line - 1], []).append(target)
+    for title, targets in shown.items():
+        if title is None or len(targets) != 1:
+            yield f"{GUIDE}: {title}: has {len(targets)} pictures of {PICTURES}, each task has one"
+    used = {target for targets in shown.values() for target in targets}
+    for name in sorted(files):
+        if f"{PICTURES}/{name}" not in used:
+            yield f"{PICTURES}/{name}: is the picture of no task of {GUIDE}"
+
+
 def faults():
     found = []
     for name in documents():
@@ -70,12 +91,15 @@ def faults():
         lines = text.count("\n")
         if lines > LONGEST and name not in MAY_BE_LONG:
             found.append(f"{name}: has {lines} lines, at most {LONGEST} are allowed")
+    guide = ROOT / GUIDE
+    found += faults_of_pictures(guide.read_text(encoding="utf-8"),
+                                [path.name for path in (guide.parent / PICTURES).glob("*")])
     return found + [f"{name}: the table of long documents names it, but it is none"
                     for name in set(MAY_BE_LONG) - set(documents())]
 
 
 def self_test():
-    """Finds broken links and passes right ones."""
+    """Finds broken links and missing and unused pictures, and passes right ones."""
     text = "\n".join(["# A `b.csv` of Bodies' waves", "## Log", "## Log", "[a](#log) [b](#log-1)",
                       "[c](#a-bcsv-of-bodies-waves) `[d](#none)`", "```", "[e](nowhere.md)", "```",
                       "[f](https://example.org/x) [g", "h](#none) [i](no/such/file.md)"])
@@ -84,6 +108,15 @@ def self_test():
     name = "tests/README.md"
     broken = [fault.split(": ")[1] for fault in faults_of_links(name, text)]
     assert broken[-1] == "no/such/file.md", broken
+    picture = '<img align="right" src="pictures/guide/{}.png" alt="a">'
+    shown = "# a\n" + picture.format("none")
+    assert list(links_of(shown)) == [(2, "pictures/guide/none.png")], list(links_of(shown))
+    assert "no such file" in next(faults_of_links(GUIDE, shown))
+    guide = "\n".join(["### Swim", picture.format("swim") + "Words", "### Dive", "`" + picture.format("dive") + "`",
+                       "### Row", picture.format("row") + picture.format("again")])
+    wrong = [fault.split(": ")[-2:] for fault in faults_of_pictures(guide, ["swim.png", "row.png", "dive.png"])]
+    assert [place for place, _ in wrong] == ["Dive", "Row", "pictures/guide/dive.png"], wrong
+    assert not list(faults_of_pictures("\n".join(guide.split("\n")[:2]), ["swim.png"]))
 
 
 def main():

@@ -44,11 +44,15 @@ class Machine:
             return self.module is None or not list(Path(self.module).glob("plimsoll/_core*"))
         return importlib.util.find_spec(module) is None
 
+    def run(self, words, folder, text=None):
+        """Runs a command in a folder; returns how it ended and what it printed."""
+        return subprocess.run(words, cwd=folder, env=self.environment, text=True, timeout=MOST_TIME,
+                              input=text, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
     def faults_of(self, words, folder, codes=frozenset({0}), text=None):
         """Runs a command in a folder and says what is wrong with how it ended."""
         try:
-            ended = subprocess.run(words, cwd=folder, env=self.environment, text=True, timeout=MOST_TIME,
-                                   input=text, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            ended = self.run(words, folder, text)
         except subprocess.TimeoutExpired:
             return [f"{shlex.join(words)}: did not end within {MOST_TIME} s"]
         if ended.returncode in codes and "Traceback (most recent" not in ended.stdout:

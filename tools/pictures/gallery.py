@@ -90,7 +90,9 @@ class Result:
 
 
 def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/gallery", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="tools/gallery", description=__doc__,
+        epilog="tools/gallery --guide [NAME...] renews the pictures of scenes/GUIDE.md instead.")
     parser.add_argument("scenes", nargs="*", type=Path, metavar="SCENE",
                         help="scene files, or names of those in scenes/ [all of these]")
     parser.add_argument("--out", type=Path, default=Path("out/gallery"), metavar="DIR",
