@@ -20,7 +20,7 @@ FLOORS = {
         ("scene",),
         ("databases", "logs"),
         ("assembly",),
-        ("analysis", "pages", "pictures"),
+        ("analysis", "held", "pages", "pictures"),
         ("hydrostatics", "report", "run", "view"),
         ("commands", "compare", "export", "sweep"),
         ("cli", "python"),
