@@ -22,7 +22,7 @@ std::string units_of_motion(const std::string& quantity);
 std::string units_of_probe(const std::string& column);
 
 /// Returns the unit of a joint's series, which may depend on the kind of the joint.
-/// @param units   That of the table's layout: `rad or m`.
+/// @param units   The unit in the table's layout: `rad or m`.
 std::string units_of_joint(const std::string& units, const engine::JointSpec& joint);
 
 }  // namespace app
