@@ -298,6 +298,27 @@ TEST(Unit, GivesNotesWhereLoggingIsOn) {
   EXPECT_EQ(fmi3SetDebugLogging(loud.instance(), true, 0, nullptr), fmi3OK);
 }
 
+TEST(Unit, MayBeSteppedByAnotherThreadThanItsMaker) {
+  const UnitFolder folder = packed_unit(R"(plimsoll: 1
+duration: 1
+step: 0.01
+ground: {z: 0}
+bodies:
+  - {name: ball, icosphere: {radius: 0.5, subdivisions: 1}, density: 500, position: [0, 0, 0.6]}
+  - {name: crate, box: {size: [1, 1, 1]}, density: 500, position: [0.2, 0, 1.8]}
+)");
+  Importer one(linked_functions(), folder.description, folder.resources);
+  Importer other(linked_functions(), folder.description, folder.resources);
+  one.initialize();
+  one.step(100, 0.01);
+  std::thread([&] {
+    other.initialize();
+    other.step(100, 0.01);
+  }).join();
+  EXPECT_THAT(other.outputs(), testing::ContainerEq(one.outputs()));
+  EXPECT_LT(one.get("crate.z"), 1.7);
+}
+
 TEST(Unit, InstancesRunInThreadsOfTheirOwn) {
   const UnitFolder folder = packed_unit(kTow);
   std::vector<double> seen[2];
