@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr double kFresh = 1000;       // Density of the water [kg/m^3].
+constexpr double kFreshWater = 1000;  // Density of the water [kg/m^3].
 constexpr double kFloor = 1.9 * 0.9;  // Area of the open box's floor [m^2].
 
 /// An open box of 400 kg, or another hull of its size, in still water, with a pump. The centre of
@@ -25,7 +25,7 @@ SimulationSpec pumped(const engine::PumpSpec& pump, double rate, double water, d
   if (water > 0) box.interior_water = {{.at_B = {-0.5, 0, -0.4}, .volume = water}};
   box.pumps = {pump};
   SimulationSpec spec = support::dry_world({std::move(box)}, 1.0 / 60);
-  spec.sea = hydro::Sea{.density = kFresh, .gravity = kGravity};
+  spec.sea = hydro::Sea{.density = kFreshWater, .gravity = kGravity};
   spec.set_points = {{.name = "pumps[p].rate", .initial = rate}};
   return spec;
 }
@@ -59,22 +59,24 @@ TEST(Pump, BringsItsRateUntilItsSuctionIsDry) {
 // With u = √(1 − H/H₀) the level between upright walls falls so that u' = −Q₀/(2 A H₀). A substep
 // takes the flow of its start for all of it, which adds H'' h/2 a second: 7e-6 m in all.
 TEST(Pump, LiftsAgainstItsHead) {
-  constexpr double kRate = 0.005, kHead = 0.5, kTime = 100;
-  Simulation simulation(held(pumped({.from_B = {0, 0, -0.44}, .head = kHead}, kRate, 0.6, 0.55)));
+  constexpr double rate = 0.005, head = 0.5, seconds = 100;
+  Simulation simulation(held(pumped({.from_B = {0, 0, -0.44}, .head = head}, rate, 0.6, 0.55)));
   const double lift = 0.55 - 0.05 - 0.6 / kFloor;
-  for (int i = 0; i < 60 * kTime; ++i) simulation.step();
-  const double u = std::sqrt(1 - lift / kHead) - kRate * kTime / (2 * kFloor * kHead);
+  for (int i = 0; i < 60 * seconds; ++i) simulation.step();
+  const double u = std::sqrt(1 - lift / head) - rate * seconds / (2 * kFloor * head);
   const double level = simulation.interiors()[0].pockets[0].level;
-  EXPECT_NEAR(-level, kHead * (1 - u * u), tolerance(1.5e-5));
+  EXPECT_NEAR(-level, head * (1 - u * u), tolerance(1.5e-5));
 }
 
 TEST(Pump, LightensAHullThatFloats) {
-  Simulation simulation(pumped({.from_B = {0, 0, -0.44}}, 0.01, 0.3, 0.35));
+  SimulationSpec spec = pumped({.from_B = {0, 0, -0.44}}, 0.01, 0.3, 0.35);
+  spec.bodies[0].locked = {true, true, false, true, true, true};  // Its free surface lets it heel.
+  Simulation simulation(std::move(spec));
   for (int i = 0; i < 60 * 90; ++i) simulation.step();
   const double left = 0.01 * kFloor;
   EXPECT_NEAR(volume_in(simulation), left, 1e-9);
   // It bobs by what the pump takes in a part of its period.
-  const double draught = (400 + kFresh * left) / (kFresh * 2);
+  const double draught = (400 + kFreshWater * left) / (kFreshWater * 2);
   EXPECT_NEAR(0.5 - simulation.states()[0].position.z(), draught, 1e-3);
   EXPECT_EQ(simulation.counts()[0].clamped, 0);
 }
