@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 13";
+constexpr std::string_view kMagic = "plimsoll state 14";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -131,8 +131,8 @@ void visit(auto& a, PocketContent& p) {
 }
 /// The interior follows from the rest (`completed`).
 void visit(auto& a, HeldWater& water) {
-  visit_all(a, water.found_up_B, water.known_up_B, water.pockets, water.openings, water.inertia_B,
-            water.next_id, water.has_all);
+  visit_all(a, water.found_up_B, water.known_up_B, water.pockets, water.openings, water.pumps,
+            water.inertia_B, water.next_id, water.has_all);
 }
 void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
   std::optional<HeldWater> water;

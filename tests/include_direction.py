@@ -20,9 +20,9 @@ FLOORS = {
         ("scene",),
         ("databases", "logs"),
         ("assembly",),
-        ("analysis", "pages", "pictures"),
+        ("analysis", "held", "pages", "pictures"),
         ("hydrostatics", "report", "run", "view"),
-        ("commands", "compare", "export", "sweep"),
+        ("commands", "compare", "export", "fmu", "sweep"),
         ("cli", "python"),
     ),
     "engine": (
@@ -45,6 +45,7 @@ DOORS = ("engine/simulation", "engine/simulation_state", "engine/state_data")
 FOREIGN = {
     r"ode/": ("ODE", r"engine/contacts/\w+\.cpp"),
     r"(EGL|GL|GLFW)/": ("EGL and OpenGL", r"app/(render|view)/\w+\.(h|cpp)"),
+    r"(un)?zip\.h": ("minizip", r"app/fmu/zip_archive\.cpp"),
     r"moordyn/": ("MoorDyn", r"engine/rig/moordyn/moordyn_library\.cpp"),
     r"muParser": ("muparser", r"app/scene/formula\.cpp"),
     r"pybind11/": ("pybind11", r"app/python/\w+\.(h|cpp)"),

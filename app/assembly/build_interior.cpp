@@ -75,6 +75,30 @@ void add_opening(const scene::Opening& opening, const hydro::Interior* interior,
   spec.openings.push_back({.at_B = at_B, .area = opening.area, .discharge = opening.discharge});
 }
 
+/// @param interior   At the start; null: the body has no pocket.
+void add_pump(const scene::Pump& pump, const hydro::Interior* interior,
+              const Eigen::Vector3d& com_M, const std::string& path, engine::BodySpec& spec,
+              BuildLog& log) {
+  engine::PumpSpec made{.from_B = pump.from - com_M};
+  if (pump.to) made.to_B = *pump.to - com_M;
+  if (pump.head) made.head = *pump.head;
+  const Eigen::Vector3d up_B = orientation_of(spec).row(2);
+  const auto pocket_at = [&](const Eigen::Vector3d& at_B) {
+    return interior ? hydro::pocket_under(spec.mesh_B, interior->division, at_B, up_B)
+                    : hydro::kSea;
+  };
+  const int from = pocket_at(made.from_B), to = made.to_B ? pocket_at(*made.to_B) : hydro::kSea;
+  if (made.to_B && to == hydro::kSea)
+    log.faults.add(log.scene.places, path + ".to",
+                   "is in no hollow at the start; expected sea or a point in a hollow");
+  else if (from == to)
+    log.faults.add(log.scene.places, path + ".from",
+                   from == hydro::kSea
+                       ? "is in no hollow at the start, and the pump brings water into the sea"
+                       : "is in the hollow that the pump brings water into");
+  spec.pumps.push_back(made);
+}
+
 }  // namespace
 
 void build_interior(const scene::Body& body, engine::BodySpec& spec) {
@@ -87,7 +111,7 @@ void build_interior(const scene::Body& body, engine::BodySpec& spec) {
 
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
                    const std::string& key_path, engine::BodySpec& spec, BuildLog& log) {
-  if (body.interior_water.empty() && body.openings.empty()) return;
+  if (body.interior_water.empty() && body.openings.empty() && body.pumps.empty()) return;
   const Eigen::Vector3d up_B = orientation_of(spec).row(2);
   const auto interior = spec.interior == engine::Interior::flooding
                             ? hydro::make_interior(spec.mesh_B, up_B)
@@ -110,6 +134,9 @@ void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
   for (std::size_t i = 0; i < body.openings.size(); ++i)
     add_opening(body.openings[i], interior.get(), com_M,
                 fmt::format("{}.openings[{}]", key_path, i), spec, log);
+  for (std::size_t i = 0; i < body.pumps.size(); ++i)
+    add_pump(body.pumps[i], interior.get(), com_M, fmt::format("{}.pumps[{}]", key_path, i), spec,
+             log);
 }
 
 std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec) {

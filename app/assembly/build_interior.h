@@ -13,9 +13,9 @@ namespace assembly {
 /// and the mesh that the sea outside sees. Costs nothing but a test for a convex body.
 void build_interior(const scene::Body& body, engine::BodySpec& spec);
 
-/// Puts water and openings into a body in its pose at time 0. Faults go to the log: water where
-/// there is no pocket or more than it holds, an opening far from a wall or with the sea on both
-/// sides.
+/// Puts water, openings and pumps into a body in its pose at time 0. Faults go to the log: water
+/// where there is no pocket or more than it holds, an opening far from a wall or with the sea on
+/// both sides, a pump of no pocket.
 /// @param com_M   Centre of mass in the mesh frame.
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
                    const std::string& key_path, engine::BodySpec& spec, BuildLog& log);

@@ -32,6 +32,7 @@ class RigBuilder {
   void all() {
     add_set_points();
     add_loads();
+    add_pumps();
     add_drives();
     add_tethers(log_.scene.springs, "springs", engine::LineSpec::Kind::spring, Of::spring_length);
     add_tethers(log_.scene.ropes, "ropes", engine::LineSpec::Kind::rope, Of::rope_length);
@@ -77,6 +78,12 @@ class RigBuilder {
     for (std::size_t i = 0; i < spec_.bodies.size(); ++i)
       for (std::size_t k = 0; k < spec_.bodies[i].loads.size(); ++k)
         spec_.bodies[i].loads[k].factor = find_id(Of::load_factor, i, k);
+  }
+
+  void add_pumps() {
+    for (std::size_t i = 0; i < spec_.bodies.size(); ++i)
+      for (std::size_t k = 0; k < spec_.bodies[i].pumps.size(); ++k)
+        spec_.bodies[i].pumps[k].rate = ids_.at({Of::pump_rate, i, k});
   }
 
   void add_drives() {

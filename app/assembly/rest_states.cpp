@@ -63,6 +63,7 @@ void calm(engine::BodySpec& body) {
   body.added_mass.reset();
   body.radiation.reset();
   body.openings.clear();
+  body.pumps.clear();
   std::erase_if(body.loads, [](const engine::AppliedLoad& load) { return !is_constant(load); });
   body.coefficients.pressure_drag = {0, 0};
   body.coefficients.lift = 0;

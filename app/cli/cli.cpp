@@ -22,6 +22,7 @@
 #include "app/commands/schema_command.h"
 #include "app/compare/compare.h"
 #include "app/export/export.h"
+#include "app/fmu/export_unit.h"
 #include "app/report/report.h"
 #include "app/scene/diagnostics.h"
 #include "app/view/view.h"
@@ -94,9 +95,15 @@ void add_others(CLI::App& program, Arguments& a) {
 
 void add_export(CLI::App& program, ExportOptions& o, std::vector<std::string>& sets) {
   CLI::App* command = program.add_subcommand(
-      "export", "Write a run as an animated scene (glTF) for Blender, three.js and others");
-  command->add_option("run", o.run, kTrajectory)->type_name("RUN")->required();
-  command->add_option("out", o.out, "File to write, .glb")->type_name("FILE")->required();
+      "export",
+      "Write a run as an animated scene (glTF) for Blender, three.js and others, or a scene as a "
+      "unit for co-simulation (FMI 3.0)");
+  command->add_option("run", o.run, std::string(kTrajectory) + "; for a unit the file of a scene")
+      ->type_name("RUN")
+      ->required();
+  command->add_option("out", o.out, "File to write, .glb, or .fmu for a unit")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--fps", o.fps, "Poses per second, 1 to 120 [25]")
       ->check(CLI::Range(1, 120).description(""))
       ->type_name("N");
@@ -110,6 +117,16 @@ void add_export(CLI::App& program, ExportOptions& o, std::vector<std::string>& s
   add_sets(command, sets);
   add_any_format(command, o.formats);
   command->add_flag("--quiet", o.quiet, "Print no report");
+}
+
+/// Writes a run, or a scene as a unit, by the extension of the file.
+int export_run_or_scene(const CLI::App& command, const ExportOptions& o) {
+  if (o.out.extension() != ".fmu") return export_run(o);
+  for (const char* option : {"--fps", "--water", "--scene"})
+    if (command.count(option) > 0)
+      throw scene::InputError(o.out, std::string("is a unit, for which there is no ") + option);
+  return fmu::export_unit(
+      {.scene = {o.run, o.overrides, o.formats}, .out = o.out, .quiet = o.quiet});
 }
 
 void add_view(CLI::App& program, Arguments& a) {
@@ -209,7 +226,8 @@ int dispatch(const CLI::App& program, Arguments& a) {
   if (program.got_subcommand("probe")) return probe(a.scene, overrides, a.formats);
   if (program.got_subcommand("compare")) return compare(a.compare);
   if (program.got_subcommand("report")) return report(a.report);
-  if (program.got_subcommand("export")) return export_run(a.exported);
+  if (program.got_subcommand("export"))
+    return export_run_or_scene(*program.get_subcommand("export"), a.exported);
   if (program.got_subcommand("completion")) return completion(program, a.shell);
   if (program.got_subcommand("mesh")) return mesh_command(a.mesh);
   if (program.got_subcommand("schema")) return schema(a.markdown);

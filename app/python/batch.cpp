@@ -56,10 +56,10 @@ Batch::Made Batch::make(std::size_t place, BatchMember member) {
         fmt::format("simulation {} has other bodies or set points than simulation 0", place));
   // Simulations are stepped at once, so each needs but one thread.
   member.spec.threads = 1;
-  Made made{.simulation = std::make_unique<HeldSimulation>(std::move(member.spec),
-                                                           motions_.rows(place), member.sensors)};
+  Made made{.simulation = std::make_unique<app::HeldSimulation>(
+                std::move(member.spec), motions_.rows(place), member.sensors)};
   if (!observed_.empty())
-    made.observer = Observer(Observables(*member.scene, *made.simulation), observed_);
+    made.observer = app::Observer(app::Observables(*member.scene, *made.simulation), observed_);
   return made;
 }
 
@@ -97,7 +97,7 @@ void Batch::step(long count, const std::vector<std::size_t>& which) {
 
 void Batch::take_steps(std::size_t simulation, long count) {
   if (!errors_[simulation].empty()) return;
-  HeldSimulation& one = *simulations_[simulation];
+  app::HeldSimulation& one = *simulations_[simulation];
   try {
     hand_over_inputs(simulation);
     for (long n = 0; n < count; ++n) one.step();
@@ -109,7 +109,7 @@ void Batch::take_steps(std::size_t simulation, long count) {
 }
 
 void Batch::hand_over_inputs(std::size_t simulation) {
-  HeldSimulation& one = *simulations_[simulation];
+  app::HeldSimulation& one = *simulations_[simulation];
   for (std::size_t b = 0; b < bodies(); ++b) {
     const std::size_t row = 3 * (simulation * bodies() + b);
     using Row = Eigen::Map<const Eigen::Vector3d>;
@@ -160,13 +160,13 @@ void Batch::set_motion(std::size_t simulation, engine::BodyId body, const hydro:
 }
 
 std::string Batch::save(std::size_t simulation) {
-  HeldSimulation& one = *simulations_.at(simulation);
+  app::HeldSimulation& one = *simulations_.at(simulation);
   hand_over_inputs(simulation);
   return one.save();
 }
 
 void Batch::load(std::size_t simulation, std::string_view bytes) {
-  HeldSimulation& one = *simulations_.at(simulation);
+  app::HeldSimulation& one = *simulations_.at(simulation);
   for (const auto& [body, load] : one.loads_in(bytes))
     if (load.frame != engine::Frame::world || !load.at_B.isZero(0))
       throw std::invalid_argument(

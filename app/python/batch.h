@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/python/held_simulation.h"
-#include "app/python/motions.h"
-#include "app/python/observer.h"
+#include "app/held/held_simulation.h"
+#include "app/held/motions.h"
+#include "app/held/observer.h"
 
 namespace python {
 
@@ -17,7 +17,7 @@ namespace python {
 struct BatchMember {
   const scene::Scene* scene = nullptr;  ///< It is read while the simulation is made.
   engine::SimulationSpec spec;
-  SensorSpec sensors;
+  app::SensorSpec sensors;
 };
 
 /// Simulations of scenes with the same bodies and set points, stepped together on several threads.
@@ -34,8 +34,8 @@ class Batch {
   std::size_t size() const { return simulations_.size(); }
   std::size_t bodies() const { return spec().bodies.size(); }
   const engine::SimulationSpec& spec() const { return simulations_.front()->engine().spec(); }
-  HeldSimulation& at(std::size_t simulation) { return *simulations_.at(simulation); }
-  MotionArrays& motions() { return motions_; }
+  app::HeldSimulation& at(std::size_t simulation) { return *simulations_.at(simulation); }
+  app::MotionArrays& motions() { return motions_; }
 
   /// Numbers of the observed names of each simulation, in the units of their names.
   std::vector<double>& observations() { return observations_; }
@@ -74,8 +74,8 @@ class Batch {
  private:
   /// A simulation that is not shown in the arrays yet.
   struct Made {
-    std::unique_ptr<HeldSimulation> simulation;
-    Observer observer;
+    std::unique_ptr<app::HeldSimulation> simulation;
+    app::Observer observer;
   };
   Made make(std::size_t place, BatchMember member);
   void accept(std::size_t place, Made made);
@@ -84,10 +84,10 @@ class Batch {
   void take_steps(std::size_t simulation, long count);
   void hand_over_inputs(std::size_t simulation);
 
-  MotionArrays motions_;
-  std::vector<std::unique_ptr<HeldSimulation>> simulations_;
+  app::MotionArrays motions_;
+  std::vector<std::unique_ptr<app::HeldSimulation>> simulations_;
   std::vector<std::string> observed_;
-  std::vector<Observer> observers_;  ///< One for each simulation.
+  std::vector<app::Observer> observers_;  ///< One for each simulation.
   std::vector<double> forces_, torques_, controls_, observations_;
   std::vector<std::string> errors_;
   tbb::task_arena& threads_;

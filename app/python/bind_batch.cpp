@@ -72,7 +72,7 @@ class PyBatch {
     const auto n = static_cast<py::ssize_t>(batch_->size());
     const auto bodies = static_cast<py::ssize_t>(batch_->bodies());
     const auto points = static_cast<py::ssize_t>(batch_->spec().set_points.size());
-    const MotionRows rows = batch_->motions().all();
+    const app::MotionRows rows = batch_->motions().all();
     time = view(rows.time, {n}, owner, false);
     position = view(rows.position, {n, bodies, 3}, owner, false);
     orientation = view(rows.orientation, {n, bodies, 4}, owner, false);

@@ -1,8 +1,8 @@
 #include <pybind11/stl.h>
 
 #include "app/base/output_error.h"
+#include "app/held/observer.h"
 #include "app/python/bindings.h"
-#include "app/python/observer.h"
 #include "app/render/image.h"
 #include "app/scene/diagnostics.h"
 
@@ -43,7 +43,7 @@ void translate(std::exception_ptr pointer) {
     raise_scene_error(error);
   } catch (const engine::SimulationError& error) {
     raise_simulation_error(error);
-  } catch (const UnknownName& error) {
+  } catch (const app::UnknownName& error) {
     PyErr_SetString(PyExc_KeyError, error.what());
   } catch (const py::cast_error& error) {
     // By itself pybind11 makes a RuntimeError of an argument of another type.

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "app/base/thread_count.h"
+#include "app/held/held_simulation.h"
+#include "app/held/observer.h"
 #include "app/logs/force_log.h"
 #include "app/logs/hdf5_layout.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/snapshot.h"
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
-#include "app/python/held_simulation.h"
-#include "app/python/observer.h"
 #include "app/python/readings.h"
 #include "app/python/run_folder.h"
 #include "app/render/image.h"
@@ -25,7 +25,7 @@ namespace {
 /// Inputs of a simulation: its scene, and the number of threads.
 struct Parts {
   engine::SimulationSpec spec;
-  SensorSpec sensors;
+  app::SensorSpec sensors;
 };
 
 Parts parts_of(SceneSource& source, int threads, bool forces) {
@@ -45,16 +45,16 @@ class PySimulation {
 
   PySimulation(std::shared_ptr<SceneSource> source, Parts parts)
       : source_(std::move(source)),
-        motions_(std::make_shared<MotionArrays>(1, source_->scene().bodies.size())),
+        motions_(std::make_shared<app::MotionArrays>(1, source_->scene().bodies.size())),
         held_(std::move(parts.spec), motions_->all(), parts.sensors),
         observables_(source_->scene(), held_) {
     held_.show();
     // The arrays keep the motions, not this: a cycle would never be freed.
-    const py::capsule owner(new std::shared_ptr<MotionArrays>(motions_), [](void* motions) {
-      delete static_cast<std::shared_ptr<MotionArrays>*>(motions);
+    const py::capsule owner(new std::shared_ptr<app::MotionArrays>(motions_), [](void* motions) {
+      delete static_cast<std::shared_ptr<app::MotionArrays>*>(motions);
     });
     const auto bodies = static_cast<py::ssize_t>(spec().bodies.size());
-    const MotionRows rows = motions_->all();
+    const app::MotionRows rows = motions_->all();
     position = view(rows.position, {bodies, 3}, owner, false);
     orientation = view(rows.orientation, {bodies, 4}, owner, false);
     velocity = view(rows.velocity, {bodies, 3}, owner, false);
@@ -95,7 +95,7 @@ class PySimulation {
       throw py::value_error("frame: found '" + frame + "', expected 'world' or 'body'");
     const auto lock = wait();
     if (force.is_none() && torque.is_none()) return held_.let_go(id);
-    HeldLoad load{.frame = frame == "world" ? engine::Frame::world : engine::Frame::body};
+    app::HeldLoad load{.frame = frame == "world" ? engine::Frame::world : engine::Frame::body};
     if (!force.is_none()) load.wrench.force = to_vector(force.cast<Array>(), "force");
     if (!torque.is_none()) load.wrench.moment = to_vector(torque.cast<Array>(), "torque");
     if (!at.is_none())
@@ -148,7 +148,7 @@ class PySimulation {
   std::vector<std::string> observables() const { return observables_.names(); }
 
   py::array observe(const std::vector<std::string>& names) const {
-    const Observer observer(observables_, names);
+    const app::Observer observer(observables_, names);
     std::vector<double> numbers(observer.size());
     const auto lock = wait();
     observer.read(held_, numbers.data());
@@ -206,7 +206,7 @@ class PySimulation {
  private:
   /// Shows the motion at the end of a call, whether it throws or not.
   struct Showing {
-    const HeldSimulation& held;
+    const app::HeldSimulation& held;
     ~Showing() { held.show(); }
   };
 
@@ -229,9 +229,9 @@ class PySimulation {
   }
 
   std::shared_ptr<SceneSource> source_;
-  std::shared_ptr<MotionArrays> motions_;
-  HeldSimulation held_;
-  Observables observables_;
+  std::shared_ptr<app::MotionArrays> motions_;
+  app::HeldSimulation held_;
+  app::Observables observables_;
   std::unique_ptr<RunFolder> log_;
   std::optional<app::Snapshots> snapshots_;
   mutable std::mutex busy_;

@@ -22,7 +22,7 @@ std::vector<std::string> columns_of(const app::TableLayout& layout) {
   return columns;
 }
 
-py::dict probe_table(const Sensors& sensors, const engine::Simulation& engine) {
+py::dict probe_table(const app::Sensors& sensors, const engine::Simulation& engine) {
   const std::vector<std::vector<double>> numbers = sensors.read(engine);
   py::dict table;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
@@ -34,7 +34,7 @@ py::dict probe_table(const Sensors& sensors, const engine::Simulation& engine) {
 
 }  // namespace
 
-py::dict readings_of(const HeldSimulation& simulation) {
+py::dict readings_of(const app::HeldSimulation& simulation) {
   const engine::Simulation& engine = simulation.engine();
   const app::RigLog log(engine.spec(), true);
   const std::vector<app::LogTable> tables = log.tables();

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/python/held_simulation.h"
+#include "app/held/held_simulation.h"
 
 /// @file
 /// The readings of a simulation at a time as dicts of Python.
@@ -13,7 +13,7 @@ namespace python {
 
 /// Returns the tables of lines, joints, machines and controls, and the probes, each a dict of rows
 /// by name: readings["lines"]["ropes[tow]"]["tension"].
-pybind11::dict readings_of(const HeldSimulation& simulation);
+pybind11::dict readings_of(const app::HeldSimulation& simulation);
 
 /// Returns the loads and numbers of a row of forces.csv (app/logs/force_log.h) by name.
 pybind11::dict forces_of(const std::vector<double>& row);

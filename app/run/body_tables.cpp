@@ -132,7 +132,8 @@ Cells hollow_row(const engine::BodySpec& body, double level) {
           number_text(capacity, 4),
           std::isfinite(rim) ? number_text(rim - level, 3) : "closed",
           number_text(water, 4),
-          std::to_string(body.openings.size())};
+          std::to_string(body.openings.size()),
+          std::to_string(body.pumps.size())};
 }
 
 std::string word_of(const std::string& name, assembly::SaidBy who) {
@@ -313,9 +314,9 @@ std::vector<std::string> BodyTables::lines_of(Cells head, Cells Kind::*row) cons
 }
 
 std::vector<std::string> BodyTables::hollows() const {
-  return lines_of(
-      {"hollows", "", "number", "volume m^3", "rim above water m", "water m^3", "openings"},
-      &Kind::hollows);
+  return lines_of({"hollows", "", "number", "volume m^3", "rim above water m", "water m^3",
+                   "openings", "pumps"},
+                  &Kind::hollows);
 }
 
 std::vector<std::string> BodyTables::added_mass() const {

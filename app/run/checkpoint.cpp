@@ -144,6 +144,11 @@ std::string digest_of(const engine::SimulationSpec& spec) {
       digest.add(opening.area * opening.discharge);
     }
     for (const engine::WaterAtStart& water : body.interior_water) digest.add(water.volume);
+    for (const engine::PumpSpec& pump : body.pumps) {
+      digest.add(pump.from_B);
+      digest.add(pump.to_B.value_or(Eigen::Vector3d::Zero()));
+      digest.add(pump.head);
+    }
   }
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);

@@ -153,6 +153,15 @@ struct Opening {
   double discharge = 0.6;                        ///< Coefficient of discharge [-].
 };
 
+/// A pump of a hollow.
+struct Pump {
+  std::string name;                                ///< Unique among the pumps of all bodies.
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< Its suction, in the mesh frame.
+  std::optional<Eigen::Vector3d> to;  ///< Its outlet, in the mesh frame; none: into the sea.
+  double rate = 0;                    ///< Flow without a lift [m^3/s].
+  std::optional<double> head;         ///< Lift without a flow [m]; none: the flow is the same.
+};
+
 /// A body: an entry of `bodies`. Exactly one of density and mass is given.
 struct Body {
   std::string name;                                    ///< Unique name.
@@ -172,6 +181,7 @@ struct Body {
   Interior interior = Interior::flooding;     ///< Model of the water in its hollows.
   std::vector<InteriorWater> interior_water;  ///< Water in its hollows at time 0.
   std::vector<Opening> openings;              ///< Holes in its walls.
+  std::vector<Pump> pumps;                    ///< Pumps of its hollows.
   Hydro hydro;  ///< The scene's defaults, overridden by the body's own keys.
   std::optional<Eigen::Vector3d> calibrated_drag;  ///< C_d along the body's axes [-], > 0.
   Collision collision = Collision::automatic;      ///< Shape in contacts.

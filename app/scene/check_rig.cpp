@@ -63,12 +63,27 @@ class RigCheck {
     check_unique(map_, "propellers", all_names(scene_.propellers));
     check_unique(map_, "rudders", all_names(scene_.rudders));
     check_unique(map_, "sails", all_names(scene_.sails));
+    check_pumps();
     for (std::size_t i = 0; i < scene_.sails.size(); ++i) {
       const std::string& name = scene_.sails[i].name;
       if (!name.empty() && find_named(scene_.rudders, name) != nullptr)
         map_.fault(fmt::format("sails[{}].name", i),
                    fmt::format("found {}, which is the name of a rudder; expected another", name));
     }
+  }
+
+  void check_pumps() {
+    std::map<std::string, std::string> first_uses;
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+      for (std::size_t k = 0; k < scene_.bodies[i].pumps.size(); ++k) {
+        const std::string& name = scene_.bodies[i].pumps[k].name;
+        const std::string path = fmt::format("bodies[{}].pumps[{}]", i, k);
+        const auto [first, is_new] = first_uses.emplace(name, path);
+        if (!is_new && !name.empty())
+          map_.fault(path + ".name",
+                     fmt::format("found {}, which is the name of {}; expected another", name,
+                                 first->second));
+      }
   }
 
   void check_body(const std::string& path, const std::string& name, bool world = false) {

@@ -248,6 +248,23 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
     {"bodies[].openings[].at", "Centre of the hole, in or near the wall, in the mesh frame."},
     {"bodies[].openings[].area", "Area of the hole."},
     {"bodies[].openings[].discharge", "Coefficient of discharge."},
+    {"bodies[].pumps",
+     "Pumps that empty or fill hollows. A pump brings water as long as its suction is under it."},
+    {"bodies[].pumps[].name",
+     "Name of the pump in logs and controls, unique among the pumps of all bodies. It must not "
+     "contain a comma, a double quote or a control character."},
+    {"bodies[].pumps[].from",
+     "The suction, in the mesh frame: a point in a hollow, straight above its bottom, or a point "
+     "in no hollow, where it is in the sea."},
+    {"bodies[].pumps[].to",
+     "The outlet: `sea`, or a point in a hollow, in the mesh frame, straight above its bottom."},
+    {"bodies[].pumps[].rate",
+     "Flow Q₀ without a lift. It is the first value of the set point `pumps[NAME].rate`, which is "
+     "not below 0."},
+    {"bodies[].pumps[].head",
+     "Lift H₀ at which nothing comes any more: at a lift H from the level at the suction to that "
+     "at the outlet, or to an outlet above it, the flow is Q₀ √(1 − H/H₀). Without this key it is "
+     "Q₀ at any lift."},
     {"bodies[].hydro", "Coefficients of this body. They override the scene's `hydro` key by key."},
     {"bodies[].calibrate",
      "Scaling of the body's pressure drag to tabulated values, independent of its mesh."},

@@ -40,10 +40,11 @@ void read(MapReader& map, Body& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);
 void read(MapReader& map, AppliedLoad& load);
 void read(MapReader& map, AppliedLoad::Sine& sine);
-/// Reads `interior`, `interior_water` and `openings`.
+/// Reads `interior`, `interior_water`, `openings` and `pumps`.
 void read_interior(MapReader& map, Body& body);
 void read(MapReader& map, InteriorWater& water);
 void read(MapReader& map, Opening& opening);
+void read(MapReader& map, Pump& pump);
 void read(MapReader& map, Joint& joint);
 /// Reads `bodies`: the names of two bodies, or of a body and `world`.
 void read_pair(MapReader& map, std::array<std::string, 2>& bodies);

@@ -94,6 +94,17 @@ void add_propellers(const Scene& scene, std::vector<SetPoint>& all) {
   }
 }
 
+void add_pumps(const Scene& scene, std::vector<SetPoint>& all) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    for (std::size_t k = 0; k < scene.bodies[i].pumps.size(); ++k)
+      all.push_back({.name = fmt::format("pumps[{}].rate", scene.bodies[i].pumps[k].name),
+                     .of = Of::pump_rate,
+                     .index = i,
+                     .load = k,
+                     .initial = scene.bodies[i].pumps[k].rate,
+                     .least = 0});
+}
+
 /// True if the scene has this set point.
 bool has(const Scene& scene, const SetPoint& point) {
   if (point.of == Of::load_factor) {
@@ -137,6 +148,7 @@ std::vector<SetPoint> settable(const Scene& scene) {
   add_propellers(scene, all);
   add_angles(scene.rudders, "rudders", Of::rudder_angle, all);
   add_angles(scene.sails, "sails", Of::sail_angle, all);
+  add_pumps(scene, all);
   return all;
 }
 

@@ -24,12 +24,13 @@ struct SetPoint {
     propeller_speed,
     propeller_azimuth,
     rudder_angle,
-    sail_angle
+    sail_angle,
+    pump_rate
   };
   std::string name;  ///< `propellers[main].speed_rps`
   Of of = Of::load_factor;
   std::size_t index = 0;  ///< Index of the body, joint, line or machine in its list.
-  std::size_t load = 0;   ///< For `load_factor`: index in the body's `forces`.
+  std::size_t load = 0;   ///< Index in the body's `forces` or `pumps`.
   /// In SI units; none for a length that follows from the points at time 0.
   std::optional<double> initial = 0;
   double unit = 1;                                          ///< SI units per unit of the name.

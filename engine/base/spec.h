@@ -60,6 +60,15 @@ struct Opening {
   double discharge = 0.6;                          ///< Coefficient of discharge [-].
 };
 
+/// A pump that brings water from one space to another: a pocket of its body, or the sea
+/// (flooding.h).
+struct PumpSpec {
+  Eigen::Vector3d from_B = Eigen::Vector3d::Zero();  ///< Its suction; in no pocket: in the sea [m].
+  std::optional<Eigen::Vector3d> to_B;  ///< Its outlet in a pocket [m]; none: into the sea.
+  SetPointId rate = 0;                  ///< Q₀, its flow without a lift [m^3/s].
+  double head = std::numeric_limits<double>::infinity();  ///< H₀, the lift without a flow [m].
+};
+
 /// Water in a pocket at time 0.
 struct WaterAtStart {
   Eigen::Vector3d at_B = Eigen::Vector3d::Zero();  ///< A point above the pocket's surface [m].
@@ -97,6 +106,7 @@ struct BodySpec {
   bool wet = true;                           ///< False: the water has no effect on it.
   Interior interior = Interior::wet;         ///< Water in its pockets.
   std::vector<Opening> openings;             ///< Holes in its walls.
+  std::vector<PumpSpec> pumps;               ///< Pumps of its pockets.
   std::vector<WaterAtStart> interior_water;  ///< Water in its pockets at time 0.
   /// The mesh with the pockets of the start closed by lids; none without pockets.
   std::optional<hydro::TriMesh> closed_mesh_B;

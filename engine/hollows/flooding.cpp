@@ -5,6 +5,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/hollows/pocket_search.h"
+#include "engine/hollows/streams.h"
 #include "engine/motion/body.h"
 #include "engine/motion/substep_way.h"
 #include "hydro/airy_waves.h"
@@ -31,13 +32,16 @@ struct Stream {
 /// mass.
 class Flooding {
  public:
-  Flooding(const Body& body, const hydro::BodyState& state, double time, HeldWater& held)
+  /// @param rates   Of the body's pumps without a lift [m^3/s].
+  Flooding(const Body& body, const hydro::BodyState& state, double time,
+           const std::vector<double>& rates, HeldWater& held)
       : body_(body),
         sea_(*body.environment.sea),
         state_(state),
         time_(time),
         R_WB_(state.orientation.toRotationMatrix()),
         division_(held.interior->division),
+        rates_(rates),
         held_(held) {}
 
   void run(double h);
@@ -60,6 +64,7 @@ class Flooding {
   void add_edge(const hydro::SillEdge& edge, Stream& stream) const;
   void run_over(Sill from, Sill to, double h);
   void run_through(std::size_t opening, double h);
+  void run_pump(std::size_t pump, double h);
   double head(int space, const Eigen::Vector3d& r) const;
   double equalising(int from, int to, const Stream& stream) const;
   void exchange(int first, int second, const Stream& stream, double h);
@@ -75,6 +80,7 @@ class Flooding {
   double time_;
   Eigen::Matrix3d R_WB_;
   const hydro::Pockets& division_;
+  const std::vector<double>& rates_;
   HeldWater& held_;
 };
 
@@ -162,6 +168,25 @@ void Flooding::run_through(std::size_t opening, double h) {
       .lowest = r.z()};
   if (is_sea(outer)) stream.sea_level = r.z() + head(outer, r);
   exchange(inner, outer, stream, h);
+}
+
+void Flooding::run_pump(std::size_t pump, double h) {
+  const auto [from, to] = held_.pumps[pump];
+  if (!(rates_[pump] > 0) || from == to || (is_sea(from) && is_sea(to))) return;
+  const PumpSpec& spec = body_.spec->pumps[pump];
+  const Eigen::Vector3d suction = R_WB_ * spec.from_B;
+  const Eigen::Vector3d outlet = R_WB_ * spec.to_B.value_or(spec.from_B);
+  const double low = level(from, suction);
+  if (!(low > suction.z())) return;
+  const double high = spec.to_B ? std::max(level(to, outlet), outlet.z()) : level(to, outlet);
+  double volume = pump_flow(rates_[pump], high - low, spec.head) * h;
+  if (!is_sea(from))
+    volume = std::min(volume, held_.pockets[from].volume - volume_up_to(from, suction.z()));
+  if (!is_sea(to) && !std::isfinite(spill_of({to})))  // A full void takes no more.
+    volume = std::min(volume, division_.pockets[to].capacity - held_.pockets[to].volume);
+  if (!(volume > 0)) return;
+  if (!is_sea(from)) set_volume(from, held_.pockets[from].volume - volume);
+  if (!is_sea(to)) set_volume(to, held_.pockets[to].volume + volume);
 }
 
 /// The volume that makes the levels of two spaces equal, or the higher one that of the sill.
@@ -313,38 +338,26 @@ void Flooding::run(double h) {
     from = to;
   }
   for (std::size_t i = 0; i < held_.openings.size(); ++i) run_through(i, h);
+  for (std::size_t i = 0; i < held_.pumps.size(); ++i) run_pump(i, h);
 }
 
 /// True if water may run for a time h about the end of a way.
-bool may_run(const Body& body, const HeldWater& held, const SubstepWay& way, double h) {
+bool may_run(const Body& body, const HeldWater& held, const SubstepWay& way,
+             const std::vector<double>& rates, double h) {
   if (!held.interior) return false;
   const auto dips = [&](double time) {
     return lowest_sill(body, held, way.at(time)) < body.environment.highest;
   };
-  return held.holds() || !held.openings.empty() || dips(0) || dips(-h / 2) || dips(h / 2);
-}
-
-/// Updates the surfaces, and the places of masses of which the body has turned far since.
-void settle(const Eigen::Matrix3d& R_WB, HeldWater& held) {
-  const Eigen::Vector3d up_B = R_WB.row(2);
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
-    PocketContent& content = held.pockets[i];
-    if (content.flooded || !(content.volume > 0)) continue;
-    const hydro::Hull& hull = held.interior->pockets[i];
-    const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume, content.surface);
-    content.surface = {water.level, water.area};
-    if (up_B.dot(content.up_B) > kKeptMassTurn) continue;
-    content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
-    content.up_B = up_B;
-  }
+  return held.holds() || !held.openings.empty() || pumping(rates) || dips(0) || dips(-h / 2) ||
+         dips(h / 2);
 }
 
 /// The water after it has run for a time h about the end of a way at `time` [s].
 std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, double time, double h,
-                                     const HeldWater& held) {
+                                     const std::vector<double>& rates, const HeldWater& held) {
   auto water = std::make_shared<HeldWater>(held);
   const hydro::BodyState end = way.at(0);
-  Flooding whole(body, end, time, *water);
+  Flooding whole(body, end, time, rates, *water);
   if (!whole.differs(way.at(-h / 2), -h / 2) && !whole.differs(way.at(h / 2), h / 2)) {
     whole.run(h);
     constexpr auto flooded = &PocketContent::flooded;
@@ -353,34 +366,21 @@ std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, do
   *water = held;
   for (int i = 0; i < kWaterParts; ++i) {
     const double since = ((i + 0.5) / kWaterParts - 0.5) * h;
-    Flooding(body, way.at(since), time + since, *water).run(h / kWaterParts);
+    Flooding(body, way.at(since), time + since, rates, *water).run(h / kWaterParts);
   }
   return water;
 }
 
 }  // namespace
 
-double weir_flow(double upstream, double downstream, double gravity) {
-  if (!(upstream > 0)) return 0;
-  const double free = std::pow(2.0 / 3, 1.5) * std::sqrt(gravity) * std::pow(upstream, 1.5);
-  if (!(downstream > 0)) return free;
-  if (downstream >= upstream) return 0;
-  return free * std::pow(1 - std::pow(downstream / upstream, 1.5), 0.385);
-}
-
-double limited_flow(double volume, double equalising) {
-  if (!(volume < 2 * equalising)) return equalising;
-  return volume - volume * volume / (4 * equalising);
-}
-
 void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
-                   Motion& motion) {
+                   const std::vector<double>& rates, Motion& motion) {
   if (!motion.held || (!motion.held->holds() && !may_be_wet(body, motion.state))) return;
   const std::shared_ptr<const HeldWater> old = motion.held;
   motion.held = divided_for(body, before, motion.state, time, old);
   const SubstepWay way(before, motion.state, h);
-  if (may_run(body, *motion.held, way, h)) {
-    const auto after = run_water(body, way, time, h, *motion.held);
+  if (may_run(body, *motion.held, way, rates, h)) {
+    const auto after = run_water(body, way, time, h, rates, *motion.held);
     settle(motion.state.orientation.toRotationMatrix(), *after);
     after->inertia_B = water_inertia(after->pockets, body.environment.sea->density);
     if (after->pockets != motion.held->pockets) motion.held = after;

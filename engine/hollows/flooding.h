@@ -17,6 +17,13 @@
 ///
 /// which is exact for an opening between spaces with upright walls, and never overshoots.
 ///
+/// A pump brings
+///
+///     Q = Q₀ √(1 − H/H₀), Q₀ where H < 0,                                                   (E40)
+///
+/// with the lift H from the level at its suction to that at its outlet, or to the outlet where that
+/// is higher, and no more than stands above its suction.
+///
 /// A pocket over whose sill the sea runs is flooded once both levels agree, or once it is full
 /// while all of its sill is under water: nothing holds back the sea then. It is parted from the sea
 /// when no water above a sill connects it any more, full to the lowest of its sills to the sea.
@@ -38,15 +45,10 @@
 
 namespace engine {
 
-/// q of (E20) [m^2/s]; 0 for a head upstream that is not positive.
-double weir_flow(double upstream, double downstream, double gravity);
-
-/// ΔV of (E21) [m^3].
-double limited_flow(double volume, double equalising);
-
 /// The water of a body after a substep of length h [s] that has led it from the state `before` to
 /// this motion at `time` [s], and what its mass does to the velocity.
+/// @param rates   Flows of its pumps without a lift [m^3/s].
 void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
-                   Motion& motion);
+                   const std::vector<double>& rates, Motion& motion);
 
 }  // namespace engine

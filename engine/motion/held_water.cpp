@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/base/constants.h"
 #include "engine/motion/body.h"
 #include "hydro/interior/lids.h"
 #include "hydro/interior/places.h"
@@ -63,6 +64,7 @@ bool has_all_pockets(const Body& body, const HeldWater& held) {
 
 void find_sides(const Body& body, HeldWater& held) {
   held.openings.clear();
+  held.pumps.clear();
   if (!held.interior) return;
   for (const Opening& opening : body.spec->openings) {
     const auto [near, far] = hydro::wall_at(body.spec->mesh_B, opening.at_B).face;
@@ -70,6 +72,11 @@ void find_sides(const Body& body, HeldWater& held) {
     held.openings.push_back(
         {near < 0 ? hydro::kSea : pocket_of[near], far < 0 ? hydro::kSea : pocket_of[far]});
   }
+  const auto pocket_at = [&](const Eigen::Vector3d& at_B) {
+    return hydro::pocket_under(body.spec->mesh_B, held.interior->division, at_B, held.found_up_B);
+  };
+  for (const PumpSpec& pump : body.spec->pumps)
+    held.pumps.push_back({pocket_at(pump.from_B), pump.to_B ? pocket_at(*pump.to_B) : hydro::kSea});
 }
 
 }  // namespace
@@ -113,6 +120,20 @@ bool fits_water(const Body& body, const Motion& motion) {
   if (!body.hollow) return true;
   const auto held = completed(body, motion.held);
   return held->pockets.size() == (held->interior ? held->interior->pockets.size() : 0);
+}
+
+void settle(const Eigen::Matrix3d& R_WB, HeldWater& held) {
+  const Eigen::Vector3d up_B = R_WB.row(2);
+  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
+    PocketContent& content = held.pockets[i];
+    if (content.flooded || !(content.volume > 0)) continue;
+    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume, content.surface);
+    content.surface = {water.level, water.area};
+    if (up_B.dot(content.up_B) > kKeptMassTurn) continue;
+    content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
+    content.up_B = up_B;
+  }
 }
 
 Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density) {

@@ -47,6 +47,7 @@ struct HeldWater {
   std::vector<Eigen::Vector3d> known_up_B;                ///< Verticals for which it is right.
   std::vector<PocketContent> pockets;                     ///< In the order of the interior.
   std::vector<std::array<int, 2>> openings;  ///< The pockets, or hydro::kSea, beside each opening.
+  std::vector<std::array<int, 2>> pumps;     ///< The same at suction and outlet of each pump.
   Matrix6d inertia_B = Matrix6d::Zero();     ///< W
   int next_id = 0;
   /// Without its pockets, their mouths closed, the body is convex: it has no others.
@@ -69,6 +70,9 @@ std::shared_ptr<const HeldWater> completed(const Body& body,
                                            const std::shared_ptr<const HeldWater>& held);
 /// True if the water may be that of the body.
 bool fits_water(const Body& body, const Motion& motion);
+
+/// Updates the surfaces, and the places of masses of which the body has turned far since.
+void settle(const Eigen::Matrix3d& R_WB, HeldWater& held);
 
 /// W of the pockets' water, of a density [kg/m^3].
 Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density);

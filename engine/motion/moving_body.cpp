@@ -40,6 +40,13 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
   return loads;
 }
 
+std::vector<double> pump_rates(const MovingBody& moving, double time) {
+  std::vector<double> rates;
+  for (const PumpSpec& pump : moving.body.spec->pumps)
+    rates.push_back(moving.set_points->value(pump.rate, time));
+  return rates;
+}
+
 hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
                          double time) {
   const hydro::Sea* sea = body.environment.sea;

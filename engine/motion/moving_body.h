@@ -73,6 +73,9 @@ void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& wa
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
                                          double time);
 
+/// Flows of the body's pumps without a lift, at a time [m^3/s].
+std::vector<double> pump_rates(const MovingBody& moving, double time);
+
 /// A load or a state of a body is not finite, or beyond all bounds.
 class MotionFault : public std::runtime_error {
  public:

@@ -40,7 +40,8 @@ std::vector<Overlap> ode_step(const StepContext& context, double time, double st
     check_state(moving, next);
     const Motion before = moving.motion;
     moving.motion.state = next;
-    let_water_run(body, before.state, time + step, step, moving.motion);
+    let_water_run(body, before.state, time + step, step, pump_rates(moving, time + step / 2),
+                  moving.motion);
     if (moving.motion.work)
       record_ode_step(moving, before, step, body.jointed || body.locked || touching[i],
                       moving.motion);

@@ -7,6 +7,7 @@
 #include "engine/base/constants.h"
 #include "engine/base/stopwatch.h"
 #include "engine/hollows/flooding.h"
+#include "engine/hollows/streams.h"
 #include "engine/motion/energy.h"
 #include "engine/step/constrained_update.h"
 #include "engine/step/joint_closing.h"
@@ -207,13 +208,14 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 }
 
 /// Lets water run between the pockets of a body and the sea. Under a height field it may come from
-/// above the still water level, and then brings energy.
+/// above the still water level, and a pump lifts it: then it brings energy.
 void let_water_in(SubstepBody& b, double time, double h) {
   const std::shared_ptr<const HeldWater> held = b.end.held;
-  let_water_run(b.body(), b.moving->motion.state, time, h, b.end);
+  const std::vector<double> rates = pump_rates(*b.moving, time - h / 2);
+  let_water_run(b.body(), b.moving->motion.state, time, h, rates, b.end);
   b.inflow_work = 0;
   const Environment& environment = b.body().environment;
-  const bool judged = environment.uneven() && must_not_gain_energy(b.body());
+  const bool judged = (environment.uneven() || pumping(rates)) && must_not_gain_energy(b.body());
   if (!judged || b.end.held == held) return;
   Motion before = b.end;
   before.held = held;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -358,7 +357,7 @@ void SimulatedWater::restore(const std::string& state) {
     const std::size_t size = sizeof *numbers * static_cast<std::size_t>(count);
     if (state.size() - place < size)
       throw std::invalid_argument("the state of the simulated water is that of another scene");
-    std::memcpy(numbers, state.data() + place, size);
+    std::copy_n(state.data() + place, size, reinterpret_cast<char*>(numbers));  // No number: null.
     place += size;
   };
   double numbers[8];

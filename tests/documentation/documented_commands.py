@@ -63,6 +63,8 @@ EXAMPLES = {
     "plimsoll export RUN": [
         "plimsoll export runs/a o/box.glb --fps 10 --water 8 --scene box.yaml"
         " --set render.size=[32,24] --any-format --quiet"],
+    "plimsoll export SCENE": [
+        "plimsoll export box.yaml o/box.fmu --set bodies[box].density=600 --any-format --quiet"],
     "plimsoll compare A B [--tol": [
         "plimsoll compare runs/a runs/b --tol position=1 --json --junit o/junit.xml"
         " --html o/comparison.html",
@@ -174,6 +176,7 @@ SNIPPETS = {
     "state = sim.save(); sim.load(state)": (SIMULATION, {"plimsoll"}),
     "batch.reset([3, 7])": (BATCH, {"plimsoll"}),
     'sim.readings()["probes"]': (SIMULATION, {"plimsoll"}),
+    "import fmpy": ("", {"fmpy"}),
     "env = pl.Env(": ("import plimsoll as pl\n", {"plimsoll"}),
 }
 

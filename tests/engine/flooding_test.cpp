@@ -41,7 +41,7 @@ double water_of_a_dip(double middle, double h) {
   for (long i = 1; i <= count; ++i) {
     const double time = static_cast<double>(i) * h;
     motion.state = dipping(time, middle);
-    engine::let_water_run(bodies[0].body, dipping(time - h, middle), time, h, motion);
+    engine::let_water_run(bodies[0].body, dipping(time - h, middle), time, h, {}, motion);
   }
   return motion.held->pockets[0].volume;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/hollows/flooding.h"
 #include "engine/hollows/pocket_search.h"
+#include "engine/hollows/streams.h"
 #include "engine/motion/energy.h"
 #include "engine/motion/moving_body.h"
 #include "engine/state_data.h"
@@ -273,7 +274,7 @@ TEST(Flooding, PocketsPartFullToTheirRimAndNotToTheWallBetweenThem) {
   engine::Motion motion = bodies[0].motion;
   const auto run_at = [&](double height) {
     motion.state.position.z() = height;
-    engine::let_water_run(bodies[0].body, motion.state, 0, 1.0 / 60, motion);
+    engine::let_water_run(bodies[0].body, motion.state, 0, 1.0 / 60, {}, motion);
     return motion.held->pockets;
   };
   const auto flooded = [](const engine::PocketContent& pocket) { return pocket.flooded; };

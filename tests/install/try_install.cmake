@@ -38,6 +38,14 @@ if(EXISTS ${BUILD}/report/page.html)
   endif()
 endif()
 
+# A unit has the library that was installed.
+if(EXISTS ${BUILD}/fmu/plimsoll_unit.so)
+  run(${WORK}/moved/bin/plimsoll export ${share}/scenes/teapot_drop.yaml ${WORK}/teapot.fmu)
+  run(${CMAKE_COMMAND} -E tar tf ${WORK}/teapot.fmu)
+  expect("a unit of the installed program" "${output}"
+    "binaries/[a-z0-9_]+-linux/teapot_drop.so.*resources/files/0/teapot.obj")
+endif()
+
 # What editors and shells read is what the program prints.
 foreach(printed IN ITEMS "share/plimsoll/scene.schema.json|schema"
     "share/bash-completion/completions/plimsoll|completion;bash"

@@ -157,6 +157,16 @@ def test_joints_have_their_angles_in_degrees():
     assert effort == sim.readings()["joints"]["arm"]["effort"]
 
 
+def test_bodies_have_the_columns_of_their_trajectory():
+    sim = pl.Simulation(TUG)
+    sim.step(5)
+    for body in ("tug", "barge"):
+        i = sim.index(body)
+        row = np.concatenate([sim.position[i], sim.orientation[i], sim.velocity[i], sim.angular_velocity[i]])
+        names = "x y z qw qx qy qz vx vy vz wx wy wz".split()
+        assert np.array_equal(sim.observe([f"{body}.{name}" for name in names]), row)
+
+
 def test_an_unknown_name_is_told_with_the_nearest():
     sim = pl.Simulation(TUG)
     with pytest.raises(KeyError, match="did you mean tug.heading_deg"):

@@ -85,6 +85,8 @@ std::string every_key() {
          "    interior: flooding\n"
          "    interior_water: [{at: [1, 2, 3], volume: 4}, {at: [5, 6, 7], level: 8}]\n"
          "    openings: [{at: [1, 2, 3], area: 0.25, discharge: 0.5}]\n"
+         "    pumps: [{name: q, from: [1, 2, 3], to: [4, 5, 6], rate: 0.5, head: 8},\n"
+         "      {name: r, from: [0, 0, 1], to: sea, rate: 0}]\n"
          "    forces:\n"
          "      - {force: [1, 2, 3], torque: [4, 5, 6], frame: body, at: [7, 8, 9], start: 1,"
          " end: 2, sine: {frequency_hz: 0.5, phase_deg: 90}}\n"
@@ -486,6 +488,18 @@ TEST(SceneKeys, LocksAndCollisionsAreRead) {
   for (const scene::Body& body : scene.bodies) collisions.push_back(body.collision);
   using enum scene::Collision;
   EXPECT_THAT(collisions, testing::ElementsAre(sphere, automatic, none, box, automatic, mesh));
+}
+
+TEST(SceneKeys, PumpsAreRead) {
+  const auto pumps = read_scene_text(every_key()).bodies[0].pumps;
+  ASSERT_EQ(pumps.size(), 2);
+  EXPECT_EQ(pumps[0].name, "q");
+  EXPECT_EQ(pumps[0].from, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(pumps[0].to, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(pumps[0].rate, 0.5);
+  EXPECT_EQ(pumps[0].head, 8);
+  EXPECT_EQ(pumps[1].to, std::nullopt);
+  EXPECT_EQ(pumps[1].head, std::nullopt);
 }
 
 TEST(SceneKeys, AppliedLoadsAreRead) {

@@ -8,7 +8,7 @@
 /// @file
 /// The motion of the bodies of simulations as arrays, row by row, for NumPy.
 
-namespace python {
+namespace app {
 
 /// The rows of one simulation; a row is a body.
 struct MotionRows {
@@ -36,4 +36,4 @@ class MotionArrays {
 
 void write(double time, const std::vector<hydro::BodyState>& states, const MotionRows& rows);
 
-}  // namespace python
+}  // namespace app

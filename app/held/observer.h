@@ -5,15 +5,17 @@
 #include <variant>
 #include <vector>
 
-#include "app/python/held_simulation.h"
+#include "app/held/held_simulation.h"
 #include "app/scene/scene.h"
 
-namespace python {
+namespace app {
 
 /// The numbers that can be read of a simulation by name, in the units of the names:
 ///
 /// - quantities that controls measure: `tug.heading_deg`, `joints[hinge].angle_deg`,
 ///   `ropes[tow].tension` (scene::measurable);
+/// - attitude and velocities of bodies, as in trajectory.csv: `tug.qw` … `tug.qz`, `tug.vx` …
+///   `tug.vz`, `tug.wx` … `tug.wz`;
 /// - columns of the tables of lines, joints and machines: `propellers[main].thrust`, and the set
 ///   points of controls by their own names (app/logs/rig_log.h);
 /// - readings of probes: `probes[imu].specific_z` (sensors.h).
@@ -25,12 +27,18 @@ class Observables {
   Observables(const scene::Scene& scene, const HeldSimulation& simulation);
 
   std::vector<std::string> names() const;
+  /// Units of the names, in their order (units.h).
+  std::vector<std::string> units() const;
 
  private:
   friend class Observer;
   struct OfBody {
     engine::Measurement of;
     double unit;  ///< SI units per unit of the name.
+  };
+  /// A number of a body's row of trajectory.csv.
+  struct OfMotion {
+    std::size_t body, column;
   };
   struct OfTable {
     std::size_t table, number;
@@ -41,11 +49,13 @@ class Observables {
   };
   struct Observable {
     std::string name;
-    std::variant<OfBody, OfTable, OfProbe> source;
+    std::variant<OfBody, OfMotion, OfTable, OfProbe> source;
+    std::string units;
   };
 
   void add_bodies(const scene::Scene& scene);
-  void add_tables(const engine::Simulation& engine);
+  void add_motions(const engine::Simulation& engine);
+  void add_tables(const scene::Scene& scene, const engine::Simulation& engine);
   void add_joints(const scene::Scene& scene);
   void add_probes(const HeldSimulation& simulation);
   const Observable* find(const std::string& name) const;
@@ -71,9 +81,10 @@ class Observer {
   void read(const HeldSimulation& simulation, double* numbers) const;
 
  private:
-  std::vector<std::variant<Observables::OfBody, Observables::OfTable, Observables::OfProbe>>
+  std::vector<std::variant<Observables::OfBody, Observables::OfMotion, Observables::OfTable,
+                           Observables::OfProbe>>
       sources_;
   bool reads_tables_ = false, reads_probes_ = false;
 };
 
-}  // namespace python
+}  // namespace app

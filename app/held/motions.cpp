@@ -1,8 +1,8 @@
-#include "app/python/motions.h"
+#include "app/held/motions.h"
 
 #include <algorithm>
 
-namespace python {
+namespace app {
 namespace {
 
 double* put(const Eigen::Vector3d& vector, double* place) {
@@ -40,4 +40,4 @@ void write(double time, const std::vector<hydro::BodyState>& states, const Motio
   }
 }
 
-}  // namespace python
+}  // namespace app

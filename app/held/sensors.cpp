@@ -1,11 +1,13 @@
-#include "app/python/sensors.h"
+#include "app/held/sensors.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace python {
+#include "hydro/water/simulated_water.h"
+
+namespace app {
 namespace {
 
 using Eigen::Vector3d;
@@ -45,7 +47,7 @@ std::vector<std::vector<double>> Sensors::read(const engine::Simulation& simulat
   const hydro::SimulatedWater* water = simulation.water();
   const auto waves = water ? water->patch(time) : std::nullopt;
   std::vector<std::vector<double>> numbers;
-  for (const app::ProbeReading& reading : readings_.read(time, simulation.states(), waves)) {
+  for (const ProbeReading& reading : readings_.read(time, simulation.states(), waves)) {
     const std::size_t probe = numbers.size();
     if (probes_[probe].body)
       numbers.push_back(read_on_board(reading, probe, simulation));
@@ -55,7 +57,7 @@ std::vector<std::vector<double>> Sensors::read(const engine::Simulation& simulat
   return numbers;
 }
 
-std::vector<double> Sensors::read_on_board(const app::ProbeReading& reading, std::size_t probe,
+std::vector<double> Sensors::read_on_board(const ProbeReading& reading, std::size_t probe,
                                            const engine::Simulation& simulation) const {
   const hydro::BodyState& state = simulation.states()[bodies_[probe]];
   const Eigen::Quaterniond to_body = state.orientation.conjugate();
@@ -69,4 +71,4 @@ std::vector<double> Sensors::read_on_board(const app::ProbeReading& reading, std
   return numbers;
 }
 
-}  // namespace python
+}  // namespace app

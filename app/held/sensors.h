@@ -7,7 +7,7 @@
 #include "app/scene/probe.h"
 #include "engine/simulation.h"
 
-namespace python {
+namespace app {
 
 /// The probes of a scene, and the centres of mass of its bodies in the frames of their meshes [m].
 struct SensorSpec {
@@ -47,16 +47,16 @@ class Sensors {
   void before_step(const std::vector<hydro::BodyState>& states) { readings_.before_step(states); }
   /// Forgets the last step.
   void restart() { readings_.set_velocities_before({}); }
-  app::Probes& readings() { return readings_; }
-  const app::Probes& readings() const { return readings_; }
+  Probes& readings() { return readings_; }
+  const Probes& readings() const { return readings_; }
 
  private:
-  std::vector<double> read_on_board(const app::ProbeReading& reading, std::size_t probe,
+  std::vector<double> read_on_board(const ProbeReading& reading, std::size_t probe,
                                     const engine::Simulation& simulation) const;
 
   std::vector<scene::Probe> probes_;
   std::vector<std::size_t> bodies_;  ///< Index of the body of each probe; of a gauge 0.
-  app::Probes readings_;
+  Probes readings_;
 };
 
-}  // namespace python
+}  // namespace app

@@ -1,4 +1,4 @@
-#include "app/python/held_simulation.h"
+#include "app/held/held_simulation.h"
 
 #include <array>
 #include <cstring>
@@ -7,7 +7,7 @@
 
 #include "app/base/checked_file.h"
 
-namespace python {
+namespace app {
 namespace {
 
 // The first bytes of a saved state, which change with its layout: the number of held loads follows,
@@ -88,12 +88,12 @@ void HeldSimulation::step() {
 
 std::string HeldSimulation::save() const {
   std::string bytes(kHead);
-  app::append(bytes, static_cast<std::uint64_t>(loads_.size()));
-  for (const auto& [body, load] : loads_) app::append(bytes, saved(body, load));
+  append(bytes, static_cast<std::uint64_t>(loads_.size()));
+  for (const auto& [body, load] : loads_) append(bytes, saved(body, load));
   const auto velocities =
       sensors_ ? sensors_->readings().velocities_before() : std::vector<Eigen::Vector3d>();
-  app::append(bytes, static_cast<std::uint64_t>(velocities.size()));
-  for (const Eigen::Vector3d& velocity : velocities) app::append(bytes, velocity);
+  append(bytes, static_cast<std::uint64_t>(velocities.size()));
+  for (const Eigen::Vector3d& velocity : velocities) append(bytes, velocity);
   return bytes + engine_.state().to_bytes();
 }
 
@@ -137,4 +137,4 @@ void HeldSimulation::reset() {
   show();
 }
 
-}  // namespace python
+}  // namespace app

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/python/motions.h"
-#include "app/python/sensors.h"
+#include "app/held/motions.h"
+#include "app/held/sensors.h"
 #include "engine/simulation.h"
 
-namespace python {
+namespace app {
 
 /// A load that acts on a body until it is changed.
 struct HeldLoad {
@@ -64,4 +64,4 @@ class HeldSimulation {
   std::map<engine::BodyId, HeldLoad> loads_;
 };
 
-}  // namespace python
+}  // namespace app
