@@ -48,7 +48,7 @@ void read(MapReader& map, Opening& opening) {
 }
 
 void read(MapReader& map, Pump& pump) {
-  map.required("name", pump.name, NameRule{"the pumps", false});
+  map.required("name", pump.name, NameRule{"pumps", false});
   map.required("from", pump.from, number("m"));
   read_outlet(map, pump.to);
   map.required("rate", pump.rate, not_negative("m^3/s"));
