@@ -54,7 +54,9 @@ class PackedScene : public testing::Test {
     app::write_whole(place / file, text);
   }
 
-  fs::path place = fs::path(testing::TempDir()) / "plimsoll_packed_scene";
+  fs::path place = fs::path(testing::TempDir()) /
+                   (std::string("plimsoll_packed_scene_") +
+                    testing::UnitTest::GetInstance()->current_test_info()->name());
   fs::path scene = place / "scenes/fleet.yaml";
 };
 
