@@ -9,7 +9,7 @@ have every option that it names. A command that is neither run nor named in NOT_
 so is an entry of the tables that no document has.
 """
 
-import re
+import itertools
 import shlex
 import subprocess
 import sys
@@ -246,6 +246,11 @@ def run(command, place):
     return place.faults_of(words, codes)
 
 
+def faults_of_block(jobs, place):
+    """Runs the commands of a code block one after the other: they may write to one folder."""
+    return [f"{where}: {fault}" for command, where in jobs for fault in run(command, place)]
+
+
 def examples_of(synopsis):
     """The examples of a synopsis, and the key of the table that has them."""
     key = next((key for key in EXAMPLES if synopsis.startswith(key)), None)
@@ -301,9 +306,10 @@ def check(place):
                 left_out.append(f"{one}: no {', '.join(place.machine.missing_of(one))}")
             else:
                 jobs.append((one, where))
+    blocks = [list(block) for _, block in itertools.groupby(jobs, key=lambda job: job[1])]
     with ThreadPoolExecutor(2) as pool:
-        for (_, where), found in zip(jobs, pool.map(lambda job: run(job[0], place), jobs)):
-            faults += [f"{where}: {fault}" for fault in found]
+        for found in pool.map(lambda block: faults_of_block(block, place), blocks):
+            faults += found
     count = len(jobs)
     for where, text, modules in snippets_of(documents):
         lacking = {module for module in modules if place.machine.lacks(module)}
