@@ -19,7 +19,8 @@ namespace app {
 
 int export_run(const ExportOptions& options) {
   if (options.out.extension() != ".glb")
-    throw scene::InputError(options.out, "is no format that runs are written in; expected .glb");
+    throw scene::InputError(options.out,
+                            "is of no format; expected .glb for a run, .fmu for a scene");
   scene::Scene scene = logged_scene(options.run, options.scene, options.overrides, options.formats);
   if (!scene.render) scene.render.emplace();
   assembly::BuiltScene built = assembly::build_without_added_mass(scene);
