@@ -32,7 +32,7 @@ struct Stream {
 /// mass.
 class Flooding {
  public:
-  /// @param rates   Of the body's pumps without a lift [m^3/s].
+  /// @param rates   Flows of the pumps without a lift [m^3/s].
   Flooding(const Body& body, const hydro::BodyState& state, double time,
            const std::vector<double>& rates, HeldWater& held)
       : body_(body),
