@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -211,7 +211,8 @@ StatedFrame collada_frame(const fs::path& file) {
   if (meter == std::string::npos || meter > end) return frame;
   const std::size_t number = text.find_first_of("0123456789.", meter);
   if (number == std::string::npos || number > end) return frame;
-  const double length = std::strtod(text.c_str() + number, nullptr);
+  double length = 0;
+  std::from_chars(text.data() + number, text.data() + end, length);
   if (std::isfinite(length) && length > 0) frame.unit = length;
   return frame;
 }
