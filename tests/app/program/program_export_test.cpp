@@ -148,7 +148,8 @@ TEST_F(Export, EndsWithTheRunAtAnyRate) {
   make({"--fps", "1", "--water", "4"});
   const aiNodeAnim* red = channel("red");
   ASSERT_NE(red, nullptr);
-  const app::BodyTrack& track = app::read_trajectory(place / "run/trajectory.csv").tracks.at("red");
+  const app::Trajectory run = app::read_trajectory(place / "run/trajectory.csv");
+  const app::BodyTrack& track = run.tracks.at("red");
   const aiVectorKey& last = red->mPositionKeys[red->mNumPositionKeys - 1];
   EXPECT_NEAR(last.mTime / file->mAnimations[0]->mTicksPerSecond, 1, 1e-6);
   const Vector3d p(last.mValue.x, last.mValue.y, last.mValue.z);
