@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -221,13 +220,13 @@ class Bodies {
   /// @param built   Has all bodies before this one.
   MadeBody make(std::size_t i, const BuiltScene& built) {
     const std::string path = fmt::format("bodies[{}]", i);
-    const auto latest = firsts_ | std::views::reverse | std::views::take(kMostCompared);
-    const auto first = std::ranges::find_if(latest, [&](std::size_t k) {
+    const auto end = firsts_.rbegin() + std::min(kMostCompared, std::ssize(firsts_));
+    const auto first = std::find_if(firsts_.rbegin(), end, [&](std::size_t k) {
       const bool hollow = built.spec.bodies[k].interior != engine::Interior::wet;
       const bool turned = bodies_[k].orientation.coeffs() != bodies_[i].orientation.coeffs();
       return made_alike(bodies_[k], bodies_[i]) && !(hollow && turned);
     });
-    if (first != latest.end()) return copy(*first, i, path, built);
+    if (first != end) return copy(*first, i, path, built);
     MadeBody made = make_body(bodies_[i], path, log_);
     if (made.spec.mesh_B.vertex_count() > 0) firsts_.push_back(i);
     return made;

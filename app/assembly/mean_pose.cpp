@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "app/assembly/build_interior.h"
 #include "app/assembly/radiation_store.h"
@@ -140,9 +139,13 @@ std::string MeanPoses::holder(const RadiatingHull& hull) const {
 FreeRest MeanPoses::free_rest(const RadiatingHull& hull) {
   const engine::BodySpec& body = spec_.bodies[static_cast<std::size_t>(hull.lead)];
   const bool single = hull.group.bodies.size() == 1;
-  if (single)
-    for (const FreeRest& rest : known_ | std::views::reverse | std::views::take(kMostRests))
-      if (float_alike(spec_.bodies[static_cast<std::size_t>(rest.lead)], body)) return rest;
+  if (single) {
+    const auto end = known_.rbegin() + std::min(kMostRests, std::ssize(known_));
+    const auto alike = std::find_if(known_.rbegin(), end, [&](const FreeRest& rest) {
+      return float_alike(spec_.bodies[static_cast<std::size_t>(rest.lead)], body);
+    });
+    if (alike != end) return *alike;
+  }
   const FreeRest rest = found_rest(hull, body.initial.orientation, spec_.sea->density);
   if (single) known_.push_back(rest);
   return rest;

@@ -48,11 +48,12 @@ void World::add_followers(const std::vector<Placed>& bodies, const std::vector<P
   for (std::size_t i = 0; i < stopped.size(); ++i) {
     const Placed& held = bodies[stopped[i]];
     set_state(held.body, held.start);
-    for (const Neighbour& near :
-         std::ranges::equal_range(neighbours, stopped[i], {}, &Neighbour::place))
-      if (!is_stopped[near.other] && (std::ranges::binary_search(touching, near.pair) ||
-                                      add_follower(near.pair, bodies[near.other], step, contacts)))
-        stop(near.other);
+    auto near = std::ranges::lower_bound(neighbours, stopped[i], {}, &Neighbour::place);
+    for (; near != neighbours.end() && near->place == stopped[i]; ++near)
+      if (!is_stopped[near->other] &&
+          (std::ranges::binary_search(touching, near->pair) ||
+           add_follower(near->pair, bodies[near->other], step, contacts)))
+        stop(near->other);
     set_state(held.body, held.state);
   }
   std::ranges::sort(contacts.pairs);

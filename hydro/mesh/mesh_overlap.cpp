@@ -163,7 +163,7 @@ std::vector<std::pair<int, int>> overlapping_parts(const TriMesh& mesh, const Fa
   std::vector<std::pair<int, int>> pairs;
   for (const auto& found : of_leaf) pairs.insert(pairs.end(), found.begin(), found.end());
   std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

@@ -126,7 +126,7 @@ std::vector<int> open_vertices(const TriMesh& mesh) {
     vertices.push_back(edge.to);
   }
   std::ranges::sort(vertices);
-  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 

@@ -36,8 +36,8 @@ class Bridges {
 
   void join(std::vector<std::vector<int>> holes) {
     for (std::vector<int>& hole : holes)
-      std::ranges::rotate(hole,
-                          std::ranges::max_element(hole, {}, [&](int v) { return at(v).x(); }));
+      std::rotate(hole.begin(),
+                  std::ranges::max_element(hole, {}, [&](int v) { return at(v).x(); }), hole.end());
     std::ranges::stable_sort(holes, std::ranges::greater(),
                              [&](const std::vector<int>& hole) { return at(hole[0]).x(); });
     for (const std::vector<int>& hole : holes) splice(hole, visible_from(at(hole[0])));
