@@ -172,7 +172,8 @@ TEST_F(Export, TellsWhatIsWrong) {
     EXPECT_EQ(done.code, 2);
     return done.err;
   };
-  EXPECT_THAT(fault({"export", "run", "out.obj"}), HasSubstr("out.obj: is no format"));
+  EXPECT_THAT(fault({"export", "run", "out.obj"}),
+              HasSubstr("out.obj: is of no format; expected .glb for a run, .fmu for a scene"));
   EXPECT_THAT(fault({"export", "nowhere", "out.glb"}), HasSubstr("nowhere"));
   EXPECT_THAT(fault({"export", "run", "out.glb", "--fps", "0"}), HasSubstr("--fps"));
   EXPECT_THAT(fault({"export", "run", "run/none/out.glb/x.glb", "--set", "water.levle=1"}),
