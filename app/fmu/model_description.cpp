@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "app/base/quoting.h"
 #include "app/fmu/instance.h"
 
 namespace fmu {
@@ -23,38 +24,20 @@ struct Measure {
   double factor = 1;      ///< Size in base units.
 };
 
-constexpr std::array<Measure, 12> kMeasures = {
+constexpr std::array<Measure, 13> kMeasures = {
     {{"1", ""},
      {"s", R"(s="1")"},
      {"1/s", R"(s="-1")"},
      {"m", R"(m="1")"},
      {"m/s", R"(m="1" s="-1")"},
      {"m/s^2", R"(m="1" s="-2")"},
+     {"m^3/s", R"(m="3" s="-1")"},
      {"rad", R"(rad="1")"},
      {"rad/s", R"(rad="1" s="-1")"},
      {"deg", R"(rad="1")", std::numbers::pi / 180},
      {"deg/s", R"(rad="1" s="-1")", std::numbers::pi / 180},
      {"N", R"(kg="1" m="1" s="-2")"},
      {"N m", R"(kg="1" m="2" s="-2")"}}};
-
-/// Returns a text as the value of an attribute. XML has no place for most control characters.
-std::string escaped(std::string_view text) {
-  std::string value;
-  for (const char letter : text) {
-    const bool control = static_cast<unsigned char>(letter) < ' ';
-    if (letter == '&')
-      value += "&amp;";
-    else if (letter == '<')
-      value += "&lt;";
-    else if (letter == '>')
-      value += "&gt;";
-    else if (letter == '"')
-      value += "&quot;";
-    else
-      value += control ? ' ' : letter;
-  }
-  return value;
-}
 
 /// Returns a number that reads back to the same bits, as XML Schema writes it.
 std::string number(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
@@ -80,10 +63,10 @@ std::string variable_text(const Variable& variable, ValueReference reference, bo
   std::string more;
   if (input) more += fmt::format(" start=\"{}\"", number(variable.start));
   if (!variable.description.empty())
-    more += fmt::format(" description=\"{}\"", escaped(variable.description));
+    more += fmt::format(" description=\"{}\"", app::xml_text(variable.description));
   return fmt::format(
       "    <Float64 name=\"{}\" valueReference=\"{}\" causality=\"{}\" unit=\"{}\"{}/>\n",
-      escaped(variable.name), reference, input ? "input" : "output", variable.units, more);
+      app::xml_text(variable.name), reference, input ? "input" : "output", variable.units, more);
 }
 
 std::string model_variables(const Interface& interface) {
@@ -147,12 +130,13 @@ std::string model_identifier(const scene::Scene& scene) {
 std::string model_description(const scene::Scene& scene, const Interface& interface,
                               const std::string& token) {
   const std::string description =
-      scene.title.empty() ? "" : fmt::format(" description=\"{}\"", escaped(scene.title));
+      scene.title.empty() ? "" : fmt::format(" description=\"{}\"", app::xml_text(scene.title));
   return fmt::format(
              "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
              "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{}\" instantiationToken=\"{}\"{} "
              "generationTool=\"Plimsoll {}\" variableNamingConvention=\"flat\">\n",
-             escaped(scene.file.stem().string()), escaped(token), description, PLIMSOLL_VERSION) +
+             app::xml_text(scene.file.stem().string()), app::xml_text(token), description,
+             PLIMSOLL_VERSION) +
          co_simulation(scene) + unit_definitions(interface) + log_categories() +
          default_experiment(scene) + model_variables(interface) + model_structure(interface) +
          "</fmiModelDescription>\n";

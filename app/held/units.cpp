@@ -12,7 +12,6 @@ constexpr std::string_view kOr = " or ";
 std::string units_of(const scene::SetPoint& set_point, const scene::Scene& scene) {
   using Of = scene::SetPoint::Of;
   const std::string key = set_point.name.substr(set_point.name.rfind('.') + 1);
-  if (key.ends_with("_deg")) return "deg";
   switch (set_point.of) {
     case Of::load_factor:
       return "1";
@@ -20,15 +19,24 @@ std::string units_of(const scene::SetPoint& set_point, const scene::Scene& scene
       return "m/s";
     case Of::propeller_speed:
       return "1/s";
+    case Of::pump_rate:
+      return "m^3/s";
     case Of::joint_motor: {
       const bool hinge = scene.joints[set_point.index].type == scene::Joint::Type::hinge;
+      if (key == "angle_deg") return "deg";
       if (key == "speed") return hinge ? "rad/s" : "m/s";
       if (key == "torque") return "N m";
       return key == "force" ? "N" : "m";
     }
-    default:
+    case Of::spring_length:
+    case Of::rope_length:
       return "m";
+    case Of::propeller_azimuth:
+    case Of::rudder_angle:
+    case Of::sail_angle:
+      break;
   }
+  return "deg";
 }
 
 std::string units_of_motion(const std::string& quantity) {

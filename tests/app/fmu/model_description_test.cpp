@@ -74,6 +74,17 @@ TEST(ModelDescription, NamesWhatIsSetAndRead) {
   EXPECT_NEAR(std::stod(all.at("rudders[skeg].angle_deg").start), 20, 1e-12);
 }
 
+TEST(ModelDescription, NamesTheFlowOfAPumpInItsUnit) {
+  const UnitFolder unit = packed_unit(
+      "plimsoll: 1\nduration: 1\nwater: {}\nhydro: {added_mass: none, radiation: none}\n"
+      "bodies:\n  - {name: bucket, mesh: {file: " PLIMSOLL_SOURCE_DIR
+      "/scenes/meshes/bucket.obj}, mass: 12, pumps: [{name: p, from: [0, 0, 0.1], rate: 0.25}]}\n");
+  const auto& pump = unit.description.variables.at("pumps[p].rate");
+  EXPECT_EQ(pump.causality, "input");
+  EXPECT_EQ(pump.unit, "m^3/s");
+  EXPECT_EQ(pump.start, "0.25");
+}
+
 TEST(ModelDescription, TellsTheStepAndTheDuration) {
   const UnitFolder unit = packed_unit(kTow);
   const XmlElement root = support::xml_elements(unit.xml).front();
