@@ -42,7 +42,7 @@ double body_quantity(Quantity quantity, const hydro::BodyState& state, double le
     case Quantity::roll:
       return attitude(quantity, state.orientation);
     default:
-      assert(!"a quantity of a body");
+      assert(false && "a quantity of a body");
       return 0;
   }
 }

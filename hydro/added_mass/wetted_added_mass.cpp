@@ -71,7 +71,7 @@ struct WettedAddedMass::Immersion {
     const HeadError error = model.head_error();
     if (!prepared)
       felt.emplace(sea, kSmallestPanel * model.radius_, model.panels_.longest_edge, error,
-                   std::initializer_list{what});
+                   std::initializer_list<SplitFor>{what});
     surface.emplace(prepared ? prepared->felt : *felt, state, time, what);
     in.surface = &*surface;
     in.wave_error = kernel::allowed_wave_error(error.tolerance, error.volume_over_area, *surface);

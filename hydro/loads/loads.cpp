@@ -166,9 +166,9 @@ Loads compute_loads(const Hull& hull, const BodyState& state, const Sea& sea, do
 std::shared_ptr<const kernel::FeltSea> make_felt_sea(const Hull& hull, const Sea& sea,
                                                      const LoadAccuracy& how) {
   if (hull.tree.nodes.empty()) return nullptr;
-  return std::make_shared<const kernel::FeltSea>(sea, kSmallestPanel * hull.radius,
-                                                 hull.panels.longest_edge, head_error(hull, how),
-                                                 std::initializer_list{SplitFor::current});
+  return std::make_shared<const kernel::FeltSea>(
+      sea, kSmallestPanel * hull.radius, hull.panels.longest_edge, head_error(hull, how),
+      std::initializer_list<SplitFor>{SplitFor::current});
 }
 
 Loads compute_loads(const Hull& hull, const BodyState& state, const kernel::FeltSea& felt,

@@ -59,7 +59,7 @@ Wrench wind_load(const Hull& hull, const BodyState& state, const Sea& sea, doubl
   std::optional<kernel::WaterSurface> surface;
   if (!is_flat(sea)) {
     felt.emplace(sea, kSmallestPanel * hull.radius, hull.panels.longest_edge, head_error(hull, {}),
-                 std::initializer_list{SplitFor::surface});
+                 std::initializer_list<SplitFor>{SplitFor::surface});
     surface.emplace(*felt, state, time, SplitFor::surface);
     surface->table.allowed = kTableOverChord * surface->limits.cut_tolerance;
     in.surface = &*surface;

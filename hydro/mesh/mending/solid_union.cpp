@@ -31,7 +31,7 @@ constexpr int kMostShifts = 4;
 /// The lines that bound the part of a cut face outside the other mesh.
 class OutsideLines {
  public:
-  OutsideLines(const Eigen::Vector3i& face, const FaceCut& cut) : face_(face), cut_(cut) {
+  OutsideLines(const Eigen::Vector3i& face, const FaceCut& cut) : face_(face) {
     for (const auto& [from, to] : cut.segments) whole_ = before_.emplace(to, from).second && whole_;
     for (const EdgePoint& point : cut.edge_points) {
       index_of_[point.vertex] = at_edge_.size();
@@ -94,7 +94,6 @@ class OutsideLines {
   }
 
   Eigen::Vector3i face_;
-  const FaceCut& cut_;
   std::map<int, int> before_;  ///< The point before each point of the cut.
   std::vector<const EdgePoint*> at_edge_;
   std::map<int, std::size_t> index_of_;
