@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,17 @@ void append(std::string& bytes, const T* values, std::size_t count) {
 template <class T>
 void append(std::string& bytes, T value) {
   append(bytes, &value, 1);
+}
+
+/// Takes a value from the front of what `append` has written.
+/// @throws std::invalid_argument where the bytes end before it does
+template <class T>
+T take(std::string_view& bytes) {
+  T value;
+  if (bytes.size() < sizeof value) throw std::invalid_argument("the state is cut off");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+  return value;
 }
 
 /// Returns all bytes of a file. `identity` begins with an 8-byte word that marks the kind of file.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
@@ -41,15 +40,6 @@ std::vector<double> start_values(const Interface& interface) {
   std::vector<double> values;
   for (const Variable& input : interface.inputs()) values.push_back(input.start);
   return values;
-}
-
-template <class T>
-T take(std::string_view& bytes) {
-  T value;
-  if (bytes.size() < sizeof value) throw std::invalid_argument("the state is cut off");
-  std::memcpy(&value, bytes.data(), sizeof value);
-  bytes.remove_prefix(sizeof value);
-  return value;
 }
 
 }  // namespace
@@ -174,12 +164,12 @@ void Unit::restore(std::string_view bytes) {
   if (!bytes.starts_with(kHead))
     throw std::invalid_argument("these are not the bytes of a state of this version");
   bytes.remove_prefix(kHead.size());
-  const auto mode = take<std::uint64_t>(bytes);
+  const auto mode = app::take<std::uint64_t>(bytes);
   if (mode > static_cast<std::uint64_t>(Mode::failed) ||
-      take<std::uint64_t>(bytes) != inputs_.size())
+      app::take<std::uint64_t>(bytes) != inputs_.size())
     throw std::invalid_argument("the state is that of another scene");
   std::vector<double> inputs;
-  for (std::size_t i = 0; i < inputs_.size(); ++i) inputs.push_back(take<double>(bytes));
+  for (std::size_t i = 0; i < inputs_.size(); ++i) inputs.push_back(app::take<double>(bytes));
   simulation_.load(bytes);
   inputs_ = std::move(inputs);
   mode_ = static_cast<Mode>(mode);

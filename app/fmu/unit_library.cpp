@@ -3,13 +3,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/base/child_process.h"
+
 namespace fmu {
 
 std::filesystem::path unit_library() {
   const char* const name = "plimsoll_unit.so";
   std::error_code error;
-  const std::filesystem::path folder =
-      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const auto folder = std::filesystem::path(app::program_path()).parent_path();
   const std::filesystem::path built = folder / "fmu" / name;
   const std::filesystem::path installed = (folder / PLIMSOLL_UNIT_FOLDER / name).lexically_normal();
   for (const std::filesystem::path& file : {built, installed})

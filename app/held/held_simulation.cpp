@@ -36,15 +36,6 @@ HeldLoad restored(const SavedLoad& bytes) {
           .at_B = Vector(bytes.numbers + 6)};
 }
 
-template <class T>
-T take(std::string_view& bytes) {
-  T value;
-  if (bytes.size() < sizeof value) throw std::invalid_argument("the state is cut off");
-  std::memcpy(&value, bytes.data(), sizeof value);
-  bytes.remove_prefix(sizeof value);
-  return value;
-}
-
 /// Returns a number of entries. @throws std::invalid_argument above the number that fits the scene
 std::size_t take_count(std::string_view& bytes, std::size_t most) {
   const auto count = take<std::uint64_t>(bytes);

@@ -24,12 +24,15 @@ double motion_of(const hydro::BodyState& state, std::size_t column) {
   return rate[static_cast<Eigen::Index>((column - 4) % 3)];
 }
 
-/// Returns the unit of a column of a table. @param row   Index of its row.
+/// Returns the unit of a column of a table.
+/// @param row     Index of its row.
+/// @param known   The set points of the scene.
 std::string units_in(const LogTable& table, std::size_t row, const TableSeries& series,
-                     const scene::Scene& scene, const engine::SimulationSpec& spec) {
+                     const std::vector<scene::SetPoint>& known, const scene::Scene& scene,
+                     const engine::SimulationSpec& spec) {
   if (table.layout.key == "joint") return units_of_joint(series.units, spec.joints[row]);
   if (table.layout.key != "set_point") return series.units;
-  return units_of(*scene::find_named(scene::set_points(scene), table.names[row]), scene);
+  return units_of(*scene::find_named(known, table.names[row]), scene);
 }
 
 /// Returns what stands before the column in the name of an observable.
@@ -74,13 +77,14 @@ void Observables::add_motions(const engine::Simulation& engine) {
 void Observables::add_tables(const scene::Scene& scene, const engine::Simulation& engine) {
   const RigLog log(engine.spec(), true);
   const std::vector<LogTable> tables = log.tables();
+  const std::vector<scene::SetPoint> known = scene::set_points(scene);
   const auto numbers = log.numbers(engine.rig(), engine.states());
   for (std::size_t t = 0; t < tables.size(); ++t) {
     const bool set_points = tables[t].layout.key == "set_point";
     std::size_t number = 0;
     const auto add = [&](const std::string& name, const std::string& units) {
-      const bool known = set_points && find(name) != nullptr;
-      if (!std::isnan(numbers[t][number]) && !known)
+      const bool is_reading = set_points && find(name) != nullptr;
+      if (!std::isnan(numbers[t][number]) && !is_reading)
         all_.push_back({name, OfTable{t, number, 1}, units});
       ++number;
     };
@@ -89,7 +93,7 @@ void Observables::add_tables(const scene::Scene& scene, const engine::Simulation
         for (const std::string& column : series.columns) {
           const std::string& row = tables[t].names[i];
           add(set_points ? row : owner_of(tables[t], row) + "." + column,
-              units_in(tables[t], i, series, scene, engine.spec()));
+              units_in(tables[t], i, series, known, scene, engine.spec()));
         }
   }
 }

@@ -73,17 +73,12 @@ class RigCheck {
   }
 
   void check_pumps() {
-    std::map<std::string, std::string> first_uses;
+    std::vector<std::pair<std::string, std::string>> pumps;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
-      for (std::size_t k = 0; k < scene_.bodies[i].pumps.size(); ++k) {
-        const std::string& name = scene_.bodies[i].pumps[k].name;
-        const std::string path = fmt::format("bodies[{}].pumps[{}]", i, k);
-        const auto [first, is_new] = first_uses.emplace(name, path);
-        if (!is_new && !name.empty())
-          map_.fault(path + ".name",
-                     fmt::format("found {}, which is the name of {}; expected another", name,
-                                 first->second));
-      }
+      for (std::size_t k = 0; k < scene_.bodies[i].pumps.size(); ++k)
+        pumps.emplace_back(fmt::format("bodies[{}].pumps[{}]", i, k),
+                           scene_.bodies[i].pumps[k].name);
+    check_unique(map_, pumps);
   }
 
   void check_body(const std::string& path, const std::string& name, bool world = false) {

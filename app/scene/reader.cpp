@@ -231,13 +231,19 @@ YamlNode read_tree(const std::string& text, Reading& reading,
 }  // namespace
 
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names) {
-  std::map<std::string, std::size_t> first_uses;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [first, is_new] = first_uses.emplace(names[i], i);
-    if (is_new || names[i].empty()) continue;
-    map.fault(fmt::format("{}[{}].name", list, i),
-              fmt::format("found {}, which is the name of {}[{}]; expected another", names[i], list,
-                          first->second));
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    entries.emplace_back(fmt::format("{}[{}]", list, i), names[i]);
+  check_unique(map, entries);
+}
+
+void check_unique(MapReader& map, const std::vector<std::pair<std::string, std::string>>& entries) {
+  std::map<std::string, std::string> first_uses;
+  for (const auto& [path, name] : entries) {
+    const auto [first, is_new] = first_uses.emplace(name, path);
+    if (is_new || name.empty()) continue;
+    map.fault(path + ".name", fmt::format("found {}, which is the name of {}; expected another",
+                                          name, first->second));
   }
 }
 

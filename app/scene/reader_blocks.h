@@ -82,6 +82,8 @@ bool read_formula(MapReader& map, const std::string& key, std::string& formula, 
 void check_rig(MapReader& map, const Scene& scene);
 /// Adds a fault for each name that is used twice. `list` is the path of the list.
 void check_unique(MapReader& map, const std::string& list, const std::vector<std::string>& names);
+/// Checks that names are all different. @param entries   Path of each entry, and its name.
+void check_unique(MapReader& map, const std::vector<std::pair<std::string, std::string>>& entries);
 
 void read(MapReader& map, Render& render);
 void read(MapReader& map, Camera& camera);

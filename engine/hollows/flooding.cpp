@@ -68,6 +68,7 @@ class Flooding {
   double head(int space, const Eigen::Vector3d& r) const;
   double equalising(int from, int to, const Stream& stream) const;
   void exchange(int first, int second, const Stream& stream, double h);
+  void bring(int from, int to, double volume);
   bool is_joined(int pocket, const Stream& stream) const;
   void set_volume(int pocket, double volume);
   void flood(int pocket);
@@ -184,9 +185,7 @@ void Flooding::run_pump(std::size_t pump, double h) {
     volume = std::min(volume, held_.pockets[from].volume - volume_up_to(from, suction.z()));
   if (!is_sea(to) && !std::isfinite(spill_of({to})))  // A full void takes no more.
     volume = std::min(volume, division_.pockets[to].capacity - held_.pockets[to].volume);
-  if (!(volume > 0)) return;
-  if (!is_sea(from)) set_volume(from, held_.pockets[from].volume - volume);
-  if (!is_sea(to)) set_volume(to, held_.pockets[to].volume + volume);
+  if (volume > 0) bring(from, to, volume);
 }
 
 /// The volume that makes the levels of two spaces equal, or the higher one that of the sill.
@@ -211,11 +210,12 @@ void Flooding::exchange(int first, int second, const Stream& stream, double h) {
   const bool in = stream.rate > 0;
   const double whole = equalising(in ? second : first, in ? first : second, stream);
   const double volume = limited_flow(std::abs(stream.rate) * h, whole);
-  if (volume > 0) {
-    const double change = in ? volume : -volume;
-    set_volume(first, held_.pockets[first].volume + change);
-    if (!is_sea(second)) set_volume(second, held_.pockets[second].volume - change);
-  }
+  if (volume > 0) bring(in ? second : first, in ? first : second, volume);
+}
+
+void Flooding::bring(int from, int to, double volume) {
+  if (!is_sea(from)) set_volume(from, held_.pockets[from].volume - volume);
+  if (!is_sea(to)) set_volume(to, held_.pockets[to].volume + volume);
 }
 
 /// True if the sea above a sill and the water in a full pocket behind it are one.
