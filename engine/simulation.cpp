@@ -201,7 +201,7 @@ SimulationState Simulation::Impl::state() const {
     data->bodies.push_back({.motion = moving.motion,
                             .inputs = moving.inputs,
                             .counts = moving.counts,
-                            .water_state = moving.cache.held == moving.motion.held
+                            .water_state = moving.cache.carried_water == moving.motion.carried_water
                                                ? moving.cache.water_state
                                                : std::nullopt});
   data->stepper = stepper.state();
@@ -227,7 +227,7 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
           "the state is that of another scene: body '{}' has other pockets", spec.bodies[i].name));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].motion = data.bodies[i].motion;
-    bodies[i].motion.held = completed(bodies[i].body, data.bodies[i].motion.held);
+    bodies[i].motion.carried_water = completed(bodies[i].body, data.bodies[i].motion.carried_water);
     bodies[i].inputs = data.bodies[i].inputs;
     bodies[i].counts = data.bodies[i].counts;
     restore_cache(bodies[i], data.bodies[i].water_state);

@@ -124,25 +124,28 @@ void visit(auto& a, Eigen::VectorXd& vector) {
   a.bytes(vector.data(), sizeof(double) * static_cast<std::size_t>(vector.size()));
 }
 void visit(auto& a, WaveMemory& memory) { visit_all(a, memory.q, memory.p); }
-void visit(auto& a, WaterMemory& water) { visit_all(a, water.way, water.load, water.momentum); }
+void visit(auto& a, WaterMemory& water) {
+  visit_all(a, water.displacement, water.load, water.momentum);
+}
 void visit(auto& a, PocketContent& p) {
   visit_all(a, p.id, p.volume, p.inflow, p.flooded, p.surface.level, p.surface.area, p.centre_B,
             p.up_B);
 }
 /// The interior follows from the rest (`completed`).
-void visit(auto& a, HeldWater& water) {
+void visit(auto& a, CarriedWater& water) {
   visit_all(a, water.found_up_B, water.known_up_B, water.pockets, water.openings, water.pumps,
             water.inertia_B, water.next_id, water.has_all);
 }
-void visit(auto& a, std::shared_ptr<const HeldWater>& held) {
-  std::optional<HeldWater> water;
-  if (held) water = *held;
+void visit(auto& a, std::shared_ptr<const CarriedWater>& carried) {
+  std::optional<CarriedWater> water;
+  if (carried) water = *carried;
   visit(a, water);
-  held = water ? std::make_shared<const HeldWater>(*std::move(water)) : nullptr;
+  carried = water ? std::make_shared<const CarriedWater>(*std::move(water)) : nullptr;
 }
 void visit(auto& a, Motion& m) {
-  visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.water, m.held, m.accelerations,
-            m.constrained, m.load_acceleration_W, m.acceleration_W, m.longest_after_impact, m.work);
+  visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.water, m.carried_water,
+            m.accelerations, m.constrained, m.load_acceleration_W, m.acceleration_W,
+            m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }
 void visit(auto& a, Sine& sine) { visit_all(a, sine.frequency, sine.phase); }

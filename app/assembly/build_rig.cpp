@@ -100,10 +100,11 @@ class RigBuilder {
                                .damping = drive.damping,
                                .friction = drive.friction};
       if (drive.motor)
-        spec_.joints[i].drive.motor = engine::JointMotor{.mode = modes.at(drive.motor->mode),
-                                                         .set_point = id(Of::joint_motor, i),
-                                                         .most = drive.motor->most,
-                                                         .rate = drive.motor->rate};
+        spec_.joints[i].drive.motor =
+            engine::JointMotor{.mode = modes.at(drive.motor->mode),
+                               .set_point = id(Of::joint_motor, i),
+                               .largest_effort = drive.motor->largest_effort,
+                               .rate = drive.motor->rate};
     }
   }
 

@@ -38,7 +38,7 @@ JointMotor built(const MotorBlock& block) {
   for (const auto& value : {block.torque, block.force})
     if (value) motor = {.mode = Mode::effort, .value = *value, .rate = block.rate};
   for (const auto& most : {block.max_torque, block.max_force})
-    if (most) motor.most = *most;
+    if (most) motor.largest_effort = *most;
   return motor;
 }
 

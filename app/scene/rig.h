@@ -67,7 +67,7 @@ struct JointMotor {
   enum class Mode { speed, position, effort };
   Mode mode = Mode::speed;  ///< Quantity that it keeps.
   double value = 0;         ///< [rad/s, m/s], [rad, m] or [N m, N], by mode.
-  double most = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
+  double largest_effort = std::numeric_limits<double>::infinity();  ///< Largest effort [N m, N].
   double rate = 5;  ///< For `position`: an error decays in the time 1/rate [1/s].
 };
 

@@ -128,7 +128,7 @@ inline constexpr double kFrequencyKept = 0.9;
 /// 17,000 rad/s flies off at 25 m/s.
 inline constexpr double kLargestTrendTurn = 1;
 
-// ── Water in pockets (held_water.h, pocket_search.h) ────────────────────────────────────────────
+// ── Water in pockets (carried_water.h, pocket_search.h) ──────────────────────────
 
 /// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 8°.
 /// Smaller: pockets are searched for more often.

@@ -41,13 +41,13 @@ ConstraintBlock contact_block(const Contact& contact, const Vector3d& first, con
 ConstraintBlock force_block(const ForceRow& row, const Vector3d& first, const Vector3d& second,
                             double h) {
   using Kind = ConstraintBlock::Kind;
-  const bool bounded = std::isfinite(row.most);
+  const bool bounded = std::isfinite(row.largest_force);
   ConstraintBlock block{.kind = row.one_sided ? Kind::one_sided
                                 : bounded     ? Kind::bounded
                                               : Kind::bilateral,
                         .rows = 1,
                         .bodies = {row.first, row.second},
-                        .limit = bounded ? h * row.most : 0};
+                        .limit = bounded ? h * row.largest_force : 0};
   for (const auto& [side, sign, center] : {std::tuple(0, -1, first), std::tuple(1, 1, second)})
     block.J[side].row(0) =
         sign * (row.turns ? to_vector6(Vector3d::Zero(), row.direction_W).transpose()

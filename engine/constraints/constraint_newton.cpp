@@ -42,14 +42,14 @@ Equations contact_equations(const PreparedBlock& block, const Vector3d& p, const
   const double friction = block.block().limit;
   const double omega = block.sliding_response();
   const Vector2d t = p.tail<2>() - v.tail<2>() / omega;
-  const double length = t.norm(), most = friction * push;
-  if (length <= most) {
+  const double length = t.norm(), limit = friction * push;
+  if (length <= limit) {
     e.hold(1, v[1]);
     e.hold(2, v[2]);
     return e;
   }
   const Vector2d d = t / length;
-  const Matrix2d turning = most / length * (Matrix2d::Identity() - d * d.transpose());
+  const Matrix2d turning = limit / length * (Matrix2d::Identity() - d * d.transpose());
   e.P.bottomLeftCorner<2, 1>() = -friction * d;
   e.P.bottomRightCorner<2, 2>() -= turning;
   e.Q.bottomRightCorner<2, 2>() = turning / omega;

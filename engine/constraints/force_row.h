@@ -36,14 +36,14 @@ struct ForceRow {
   double target = 0;       ///< Right-hand side of (E22) [m/s, rad/s].
   double compliance = 0;   ///< 1/g [m/(N s), rad/(N m s)]
   bool one_sided = false;  ///< λ >= 0.
-  double most = std::numeric_limits<double>::infinity();  ///< Else |λ| is at most this.
-  bool of_line = true;    ///< It is that of a line, or of a joint's drive.
-  bool of_motor = false;  ///< It is that of the motor of a drive.
-  std::size_t owner = 0;  ///< Index of the line or joint.
-  double held = 0;        ///< Tension that (E25) holds the ends of a line sideways for [N].
-  double sideways = 0;    ///< (hω)² of that motion per tension, for the lighter end [1/N].
-  double sign = 1;        ///< For the drive of a joint: the sign of λ along q.
-  double force = 0;       ///< λ, found by the solver [N, N m].
+  double largest_force = std::numeric_limits<double>::infinity();  ///< Else |λ| is at most this.
+  bool of_line = true;       ///< It is that of a line, or of a joint's drive.
+  bool of_motor = false;     ///< It is that of the motor of a drive.
+  std::size_t owner = 0;     ///< Index of the line or joint.
+  double tension_bound = 0;  ///< Tension that (E25) holds the ends of a line sideways for [N].
+  double sideways = 0;       ///< (hω)² of that motion per tension, for the lighter end [1/N].
+  double sign = 1;           ///< For the drive of a joint: the sign of λ along q.
+  double force = 0;          ///< λ, found by the solver [N, N m].
 };
 
 /// The spring and damper of a row.

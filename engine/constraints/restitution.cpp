@@ -41,26 +41,26 @@ double work(const ConstraintResult& result, const std::vector<Vector6d>& before,
 }
 
 bool adds_energy(const ConstraintResult& result, const std::vector<Vector6d>& before, double h,
-                 double most) {
+                 double allowed_gain) {
   const double exchanged =
       h * (std::abs(product(result.reactions, before)) + product(result.reactions, result.changes));
   const double gain = work(result, before, h) - result.row_work;
   // The gain of a result that is not solved may be infinite or NaN.
-  return !std::isfinite(gain) || gain > most + kImpactGain * exchanged;
+  return !std::isfinite(gain) || gain > allowed_gain + kImpactGain * exchanged;
 }
 
 ConstraintResult limit_energy(const ConstraintResult& plain, const ConstraintResult& restored,
-                              const std::vector<Vector6d>& before, double h, double most) {
+                              const std::vector<Vector6d>& before, double h, double allowed_gain) {
   const std::vector<Vector6d> change = added(restored.changes, plain.changes, -1);
   const std::vector<Vector6d> reaction = added(restored.reactions, plain.reactions, -1);
   // W(s) = W(0) + b s + c s², where c = ½ h² Σ ΔR·S⁻¹ ΔR.
   const double least = work(plain, before, h);
   const double c = h / 2 * product(reaction, change);
   const double b = work(restored, before, h) - least - c;
-  const double room = std::max(0.0, -least) + most;
+  const double slack = std::max(0.0, -least) + allowed_gain;
   if (!(c > 0) || !std::isfinite(b) || !std::isfinite(c)) return plain;
   // The root of s² + 2 β s = ρ: no square of b or c, which may overflow, and no cancellation.
-  const double beta = b / (2 * c), rho = room / c;
+  const double beta = b / (2 * c), rho = slack / c;
   const double root = std::sqrt(beta * beta + rho);
   const double s = std::clamp(beta > 0 ? rho / (beta + root) : root - beta, 0.0, 1.0);
   ConstraintResult result{.changes = added(plain.changes, change, s),

@@ -50,12 +50,12 @@ std::vector<Contact> without_restitution(std::vector<Contact> contacts);
 /// @param before   Velocities of the bodies before the update, in W.
 double work(const ConstraintResult& result, const std::vector<Vector6d>& before, double h);
 
-/// True if W of a result, less the work of lines and drives, is more than `most` and round-off.
+/// True if W of a result, less the work of lines and drives, exceeds `allowed_gain` and round-off.
 bool adds_energy(const ConstraintResult& result, const std::vector<Vector6d>& before, double h,
-                 double most);
+                 double allowed_gain);
 
-/// The result at the largest s for which W(s) <= max(0, W(0)) + most.
+/// The result at the largest s for which W(s) <= max(0, W(0)) + allowed_gain.
 ConstraintResult limit_energy(const ConstraintResult& plain, const ConstraintResult& restored,
-                              const std::vector<Vector6d>& before, double h, double most);
+                              const std::vector<Vector6d>& before, double h, double allowed_gain);
 
 }  // namespace engine

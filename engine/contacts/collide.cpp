@@ -73,10 +73,10 @@ std::size_t find_robustly(dxGeom* first, dxGeom* second, std::vector<dContactGeo
 /// All overlaps of two geometries.
 std::vector<dContactGeom> overlaps(dxGeom* first, dxGeom* second) {
   std::vector<dContactGeom> points;
-  for (std::size_t most = kUsualPoints;; most = std::min(8 * most, kMostPoints)) {
-    points.resize(most);
+  for (std::size_t capacity = kUsualPoints;; capacity = std::min(8 * capacity, kMostPoints)) {
+    points.resize(capacity);
     const std::size_t found = find_robustly(first, second, points);
-    if (found == most && most < kMostPoints) continue;
+    if (found == capacity && capacity < kMostPoints) continue;
     points.resize(found);
     return points;
   }
@@ -215,9 +215,9 @@ std::vector<ContactPoint> World::touching_points(const Pair& pair, double step) 
   std::vector<ContactPoint> points = without_artefacts(
       all, reach, pair.first == kWorld ? std::numeric_limits<double>::infinity() : boxes);
   if (is_sphere(first) || is_sphere(second)) points = supporting_a_sphere(std::move(points));
-  const std::size_t most = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
+  const std::size_t limit = is_mesh(first) || is_mesh(second) ? kContactsOfPair : kContactsOfFace;
   std::vector<ContactPoint> kept;
-  for (const std::size_t i : representative(points, most)) kept.push_back(points[i]);
+  for (const std::size_t i : representative(points, limit)) kept.push_back(points[i]);
   return kept;
 }
 

@@ -36,7 +36,8 @@ void recall(const std::vector<ContactForce>& memory, const StateOf& state_of,
     const auto now = static_cast<std::size_t>(end - contacts.begin()) - i;
     const std::span<const ContactForce> known = forces_of(pair, memory);
     const hydro::BodyState second = known.empty() ? hydro::BodyState{} : state_of(pair.second);
-    const double part = std::min(1.0, static_cast<double>(known.size()) / static_cast<double>(now));
+    const double fraction =
+        std::min(1.0, static_cast<double>(known.size()) / static_cast<double>(now));
     for (const std::size_t last = i + now; i < last; ++i) {
       contacts[i].force_W.setZero();
       if (known.empty()) continue;
@@ -46,7 +47,7 @@ void recall(const std::vector<ContactForce>& memory, const StateOf& state_of,
         return (f.place_B - place_B).squaredNorm();
       };
       contacts[i].force_W =
-          part * (second.orientation * std::ranges::min_element(known, {}, distance)->force_B);
+          fraction * (second.orientation * std::ranges::min_element(known, {}, distance)->force_B);
     }
   }
 }

@@ -58,7 +58,8 @@ std::vector<ContactPoint> supporting_a_sphere(std::vector<ContactPoint> points) 
   return kept;
 }
 
-std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most) {
+std::vector<std::size_t> representative(const std::vector<ContactPoint>& points,
+                                        std::size_t limit) {
   if (points.empty()) return {};
   const auto shallower = [](const auto& a, const auto& b) { return a.depth < b.depth; };
   const auto deepest = std::max_element(points.begin(), points.end(), shallower);
@@ -69,7 +70,7 @@ std::vector<std::size_t> representative(const std::vector<ContactPoint>& points,
 
   std::vector<std::size_t> taken;
   std::vector<double> gap(points.size(), std::numeric_limits<double>::infinity());
-  while (taken.size() < most) {
+  while (taken.size() < limit) {
     taken.push_back(next);
     for (std::size_t i = 0; i < points.size(); ++i)
       gap[i] = std::min(gap[i], distance(points[i], points[next], extent));

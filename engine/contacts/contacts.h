@@ -87,9 +87,9 @@ std::vector<ContactPoint> without_artefacts(const std::vector<ContactPoint>& poi
 /// pushed out of the deepest, it is out of them. In a valley both sides are kept.
 std::vector<ContactPoint> supporting_a_sphere(std::vector<ContactPoint> points);
 
-/// Indices of at most `most` points that represent all: the deepest, then repeatedly the point
+/// Indices of at most `limit` points that represent all: the deepest, then repeatedly the point
 /// farthest from those taken, in position and direction. The first of equal ones is taken.
-std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t most);
+std::vector<std::size_t> representative(const std::vector<ContactPoint>& points, std::size_t limit);
 
 /// The terms of the rows of a point, by (E11) and (E14).
 struct ContactRow {

@@ -46,15 +46,15 @@ void World::add_followers(const std::vector<Placed>& bodies, const std::vector<P
   std::ranges::stable_sort(neighbours, {}, &Neighbour::place);
   const std::vector<Pair> touching = contacts.pairs;
   for (std::size_t i = 0; i < stopped.size(); ++i) {
-    const Placed& held = bodies[stopped[i]];
-    set_state(held.body, held.start);
+    const Placed& placed = bodies[stopped[i]];
+    set_state(placed.body, placed.start);
     auto near = std::ranges::lower_bound(neighbours, stopped[i], {}, &Neighbour::place);
     for (; near != neighbours.end() && near->place == stopped[i]; ++near)
       if (!is_stopped[near->other] &&
           (std::ranges::binary_search(touching, near->pair) ||
            add_follower(near->pair, bodies[near->other], step, contacts)))
         stop(near->other);
-    set_state(held.body, held.state);
+    set_state(placed.body, placed.state);
   }
   std::ranges::sort(contacts.pairs);
   std::ranges::stable_sort(contacts.points, {}, &Contact::pair);

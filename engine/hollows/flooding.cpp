@@ -7,7 +7,7 @@
 #include "engine/hollows/pocket_search.h"
 #include "engine/hollows/streams.h"
 #include "engine/motion/body.h"
-#include "engine/motion/substep_way.h"
+#include "engine/motion/substep_path.h"
 #include "hydro/airy_waves.h"
 
 namespace engine {
@@ -34,15 +34,15 @@ class Flooding {
  public:
   /// @param rates   Flows of the pumps without a lift [m^3/s].
   Flooding(const Body& body, const hydro::BodyState& state, double time,
-           const std::vector<double>& rates, HeldWater& held)
+           const std::vector<double>& rates, CarriedWater& carried)
       : body_(body),
         sea_(*body.environment.sea),
         state_(state),
         time_(time),
         R_WB_(state.orientation.toRotationMatrix()),
-        division_(held.interior->division),
+        division_(carried.interior->division),
         rates_(rates),
-        held_(held) {}
+        water_(carried) {}
 
   void run(double h);
   /// True if the water over a sill or opening is another by more than half of its height there, as
@@ -52,11 +52,11 @@ class Flooding {
  private:
   using Sill = std::vector<hydro::SillEdge>::const_iterator;
 
-  bool is_sea(int space) const { return space == kSea || held_.pockets[space].flooded; }
+  bool is_sea(int space) const { return space == kSea || water_.pockets[space].flooded; }
   double sea_level(const Eigen::Vector3d& r) const;
   double level(int space, const Eigen::Vector3d& r) const;
   Eigen::Vector3d vertex(int i) const { return R_WB_ * body_.spec->mesh_B.vertices.col(i); }
-  const hydro::Hull& hull(int pocket) const { return held_.interior->pockets[pocket]; }
+  const hydro::Hull& hull(int pocket) const { return water_.interior->pockets[pocket]; }
   double volume_up_to(int pocket, double level) const {
     return hydro::water_up_to(hull(pocket), R_WB_, level).volume;
   }
@@ -72,7 +72,7 @@ class Flooding {
   bool is_joined(int pocket, const Stream& stream) const;
   void set_volume(int pocket, double volume);
   void flood(int pocket);
-  void part();
+  void isolate();
   double spill_of(const std::vector<int>& group, bool into_sea = false) const;
 
   const Body& body_;
@@ -82,7 +82,7 @@ class Flooding {
   Eigen::Matrix3d R_WB_;
   const hydro::Pockets& division_;
   const std::vector<double>& rates_;
-  HeldWater& held_;
+  CarriedWater& water_;
 };
 
 double Flooding::sea_level(const Eigen::Vector3d& r) const {
@@ -92,7 +92,7 @@ double Flooding::sea_level(const Eigen::Vector3d& r) const {
 
 double Flooding::level(int space, const Eigen::Vector3d& r) const {
   if (is_sea(space)) return sea_level(r);
-  const PocketContent& content = held_.pockets[space];
+  const PocketContent& content = water_.pockets[space];
   return content.volume > 0 ? content.surface.level : -HUGE_VAL;
 }
 
@@ -156,7 +156,7 @@ double Flooding::head(int space, const Eigen::Vector3d& r) const {
 }
 
 void Flooding::run_through(std::size_t opening, double h) {
-  const auto [first, second] = held_.openings[opening];
+  const auto [first, second] = water_.openings[opening];
   if (first == second || (is_sea(first) && is_sea(second))) return;
   const Opening& hole = body_.spec->openings[opening];
   const Eigen::Vector3d r = R_WB_ * hole.at_B;
@@ -172,7 +172,7 @@ void Flooding::run_through(std::size_t opening, double h) {
 }
 
 void Flooding::run_pump(std::size_t pump, double h) {
-  const auto [from, to] = held_.pumps[pump];
+  const auto [from, to] = water_.pumps[pump];
   if (!(rates_[pump] > 0) || from == to || (is_sea(from) && is_sea(to))) return;
   const PumpSpec& spec = body_.spec->pumps[pump];
   const Eigen::Vector3d suction = R_WB_ * spec.from_B;
@@ -182,24 +182,25 @@ void Flooding::run_pump(std::size_t pump, double h) {
   const double high = spec.to_B ? std::max(level(to, outlet), outlet.z()) : level(to, outlet);
   double volume = pump_flow(rates_[pump], high - low, spec.head) * h;
   if (!is_sea(from))
-    volume = std::min(volume, held_.pockets[from].volume - volume_up_to(from, suction.z()));
+    volume = std::min(volume, water_.pockets[from].volume - volume_up_to(from, suction.z()));
   if (!is_sea(to) && !std::isfinite(spill_of({to})))  // A full void takes no more.
-    volume = std::min(volume, division_.pockets[to].capacity - held_.pockets[to].volume);
+    volume = std::min(volume, division_.pockets[to].capacity - water_.pockets[to].volume);
   if (volume > 0) bring(from, to, volume);
 }
 
 /// The volume that makes the levels of two spaces equal, or the higher one that of the sill.
 double Flooding::equalising(int from, int to, const Stream& stream) const {
   const auto level_of = [&](int space) {
-    return is_sea(space) ? stream.sea_level : held_.pockets[space].surface.level;
+    return is_sea(space) ? stream.sea_level : water_.pockets[space].surface.level;
   };
-  const bool filled = is_sea(to) || held_.pockets[to].volume > 0;
+  const bool filled = is_sea(to) || water_.pockets[to].volume > 0;
   const double high = level_of(from);
   const double low = std::max(stream.lowest, filled ? level_of(to) : -HUGE_VAL);
   const double lacking =
-      is_sea(to) ? HUGE_VAL : std::max(0.0, volume_up_to(to, high) - held_.pockets[to].volume);
-  const double spare =
-      is_sea(from) ? HUGE_VAL : std::max(0.0, held_.pockets[from].volume - volume_up_to(from, low));
+      is_sea(to) ? HUGE_VAL : std::max(0.0, volume_up_to(to, high) - water_.pockets[to].volume);
+  const double spare = is_sea(from)
+                           ? HUGE_VAL
+                           : std::max(0.0, water_.pockets[from].volume - volume_up_to(from, low));
   if (low > stream.lowest && std::isfinite(lacking) && std::isfinite(spare) && lacking + spare > 0)
     return lacking * spare / (lacking + spare);
   return std::min(lacking, spare);
@@ -214,24 +215,24 @@ void Flooding::exchange(int first, int second, const Stream& stream, double h) {
 }
 
 void Flooding::bring(int from, int to, double volume) {
-  if (!is_sea(from)) set_volume(from, held_.pockets[from].volume - volume);
-  if (!is_sea(to)) set_volume(to, held_.pockets[to].volume + volume);
+  if (!is_sea(from)) set_volume(from, water_.pockets[from].volume - volume);
+  if (!is_sea(to)) set_volume(to, water_.pockets[to].volume + volume);
 }
 
 /// True if the sea above a sill and the water in a full pocket behind it are one.
 bool Flooding::is_joined(int pocket, const Stream& stream) const {
   const double over = stream.sea_level - stream.lowest;
-  const double level = held_.pockets[pocket].surface.level;
+  const double level = water_.pockets[pocket].surface.level;
   const bool near = std::abs(stream.sea_level - level) <= kJoinedHead * over;
   const double whole = volume_up_to(pocket, spill_of({pocket}));
   // A pocket whose mouth looks down holds nothing.
   const bool turned = whole <= kLastWater * division_.pockets[pocket].capacity;
-  return over > 0 && (stream.submerged || near || turned) && held_.pockets[pocket].volume >= whole;
+  return over > 0 && (stream.submerged || near || turned) && water_.pockets[pocket].volume >= whole;
 }
 
 /// Gives a pocket another volume of water, and its mass another place if some has come in.
 void Flooding::set_volume(int pocket, double volume) {
-  PocketContent& content = held_.pockets[pocket];
+  PocketContent& content = water_.pockets[pocket];
   const double before = content.volume;
   // A volume that runs out ever slower ends at nothing, and one below the round-off of a body's
   // volumes has no surface that could be found.
@@ -251,7 +252,7 @@ void Flooding::set_volume(int pocket, double volume) {
 /// Makes a pocket part of the sea. It carries the most water that it has held, and would hold up to
 /// its spill height since.
 void Flooding::flood(int pocket) {
-  PocketContent& content = held_.pockets[pocket];
+  PocketContent& content = water_.pockets[pocket];
   content.flooded = true;
   content.surface.level = spill_of({pocket});
   const double whole = volume_up_to(pocket, content.surface.level);
@@ -273,10 +274,10 @@ double Flooding::spill_of(const std::vector<int>& group, bool into_sea) const {
 }
 
 /// Parts flooded pockets from the sea that no water above a sill connects with it.
-void Flooding::part() {
-  const int n = static_cast<int>(held_.pockets.size());
+void Flooding::isolate() {
+  const int n = static_cast<int>(water_.pockets.size());
   std::vector<int> group(n);
-  for (int i = 0; i < n; ++i) group[i] = held_.pockets[i].flooded ? i : n;
+  for (int i = 0; i < n; ++i) group[i] = water_.pockets[i].flooded ? i : n;
   const auto of = [&](int space) { return space == kSea ? kSea : group[space]; };
   for (const hydro::SillEdge& edge : division_.sills) {
     const int a = of(edge.pocket), b = of(edge.other);
@@ -290,14 +291,14 @@ void Flooding::part() {
     if (0 <= group[i] && group[i] < n) parted[group[i]].push_back(i);
   // Pockets that part at once are no longer sea for one another.
   for (const std::vector<int>& pockets : parted)
-    for (const int i : pockets) held_.pockets[i].flooded = false;
+    for (const int i : pockets) water_.pockets[i].flooded = false;
   for (const std::vector<int>& pockets : parted) {
     if (pockets.empty()) continue;
     // Over lower sills it runs into other pockets, not at once.
     double spill = spill_of(pockets, true);
     if (!std::isfinite(spill)) spill = spill_of(pockets);
     for (const int i : pockets) {
-      held_.pockets[i].surface.level = spill;
+      water_.pockets[i].surface.level = spill;
       set_volume(i, volume_up_to(i, spill));
     }
   }
@@ -320,16 +321,16 @@ bool Flooding::differs(const hydro::BodyState& there, double later) const {
     for (const int v : {edge.from, edge.to})
       if (differs(vertices.col(v), edge.pocket) || differs(vertices.col(v), edge.other))
         return true;
-  for (std::size_t i = 0; i < held_.openings.size(); ++i)
-    for (const int space : held_.openings[i])
+  for (std::size_t i = 0; i < water_.openings.size(); ++i)
+    for (const int space : water_.openings[i])
       if (differs(body_.spec->openings[i].at_B, space)) return true;
   return false;
 }
 
 void Flooding::run(double h) {
-  part();
-  for (std::size_t i = 0; i < held_.pockets.size(); ++i)
-    if (held_.pockets[i].flooded) flood(static_cast<int>(i));
+  isolate();
+  for (std::size_t i = 0; i < water_.pockets.size(); ++i)
+    if (water_.pockets[i].flooded) flood(static_cast<int>(i));
   for (Sill from = division_.sills.begin(); from != division_.sills.end();) {
     const Sill to = std::find_if(from, division_.sills.end(), [&](const hydro::SillEdge& edge) {
       return edge.pocket != from->pocket || edge.other != from->other;
@@ -337,36 +338,37 @@ void Flooding::run(double h) {
     run_over(from, to, h);
     from = to;
   }
-  for (std::size_t i = 0; i < held_.openings.size(); ++i) run_through(i, h);
-  for (std::size_t i = 0; i < held_.pumps.size(); ++i) run_pump(i, h);
+  for (std::size_t i = 0; i < water_.openings.size(); ++i) run_through(i, h);
+  for (std::size_t i = 0; i < water_.pumps.size(); ++i) run_pump(i, h);
 }
 
 /// True if water may run for a time h about the end of a way.
-bool may_run(const Body& body, const HeldWater& held, const SubstepWay& way,
+bool may_run(const Body& body, const CarriedWater& carried, const SubstepPath& path,
              const std::vector<double>& rates, double h) {
-  if (!held.interior) return false;
+  if (!carried.interior) return false;
   const auto dips = [&](double time) {
-    return lowest_sill(body, held, way.at(time)) < body.environment.highest;
+    return lowest_sill(body, carried, path.at(time)) < body.environment.highest;
   };
-  return held.holds() || !held.openings.empty() || pumping(rates) || dips(0) || dips(-h / 2) ||
-         dips(h / 2);
+  return carried.holds() || !carried.openings.empty() || pumping(rates) || dips(0) ||
+         dips(-h / 2) || dips(h / 2);
 }
 
 /// The water after it has run for a time h about the end of a way at `time` [s].
-std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, double time, double h,
-                                     const std::vector<double>& rates, const HeldWater& held) {
-  auto water = std::make_shared<HeldWater>(held);
-  const hydro::BodyState end = way.at(0);
+std::shared_ptr<CarriedWater> run_water(const Body& body, const SubstepPath& path, double time,
+                                        double h, const std::vector<double>& rates,
+                                        const CarriedWater& carried) {
+  auto water = std::make_shared<CarriedWater>(carried);
+  const hydro::BodyState end = path.at(0);
   Flooding whole(body, end, time, rates, *water);
-  if (!whole.differs(way.at(-h / 2), -h / 2) && !whole.differs(way.at(h / 2), h / 2)) {
+  if (!whole.differs(path.at(-h / 2), -h / 2) && !whole.differs(path.at(h / 2), h / 2)) {
     whole.run(h);
     constexpr auto flooded = &PocketContent::flooded;
-    if (std::ranges::equal(held.pockets, water->pockets, {}, flooded, flooded)) return water;
+    if (std::ranges::equal(carried.pockets, water->pockets, {}, flooded, flooded)) return water;
   }
-  *water = held;
+  *water = carried;
   for (int i = 0; i < kWaterParts; ++i) {
     const double since = ((i + 0.5) / kWaterParts - 0.5) * h;
-    Flooding(body, way.at(since), time + since, rates, *water).run(h / kWaterParts);
+    Flooding(body, path.at(since), time + since, rates, *water).run(h / kWaterParts);
   }
   return water;
 }
@@ -375,17 +377,18 @@ std::shared_ptr<HeldWater> run_water(const Body& body, const SubstepWay& way, do
 
 void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
                    const std::vector<double>& rates, Motion& motion) {
-  if (!motion.held || (!motion.held->holds() && !may_be_wet(body, motion.state))) return;
-  const std::shared_ptr<const HeldWater> old = motion.held;
-  motion.held = divided_for(body, before, motion.state, time, old);
-  const SubstepWay way(before, motion.state, h);
-  if (may_run(body, *motion.held, way, rates, h)) {
-    const auto after = run_water(body, way, time, h, rates, *motion.held);
+  if (!motion.carried_water || (!motion.carried_water->holds() && !may_be_wet(body, motion.state)))
+    return;
+  const std::shared_ptr<const CarriedWater> old = motion.carried_water;
+  motion.carried_water = divided_for(body, before, motion.state, time, old);
+  const SubstepPath path(before, motion.state, h);
+  if (may_run(body, *motion.carried_water, path, rates, h)) {
+    const auto after = run_water(body, path, time, h, rates, *motion.carried_water);
     settle(motion.state.orientation.toRotationMatrix(), *after);
     after->inertia_B = water_inertia(after->pockets, body.environment.sea->density);
-    if (after->pockets != motion.held->pockets) motion.held = after;
+    if (after->pockets != motion.carried_water->pockets) motion.carried_water = after;
   }
-  const Matrix6d change = motion.held->inertia_B - old->inertia_B;
+  const Matrix6d change = motion.carried_water->inertia_B - old->inertia_B;
   if (!body.has_added_mass || change.isZero(0)) return;
   const double jump = std::abs(change(0, 0)) / (body.rigid_B + motion.added()).diagonal()[0];
   motion = share_momentum(body, motion, motion.added() + change);

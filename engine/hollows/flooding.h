@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/motion/held_water.h"
+#include "engine/motion/carried_water.h"
 
 /// @file
-/// Water that runs into, out of and between the pockets of a hollow body (held_water.h), in a
+/// Water that runs into, out of and between the pockets of a hollow body (carried_water.h), in a
 /// substep of length h at its final pose.
 ///
 /// Over a sill, by the length of its level projection, and through an opening of the area a run
@@ -33,7 +33,7 @@
 /// The loads of the next substep are those of its middle, so what runs is that of a time h about
 /// the end of this one: by the state of the end or, where the water over a sill or opening changes
 /// by more than half of its height in this time, as where the sill crosses the surface, or a pocket
-/// joins the sea or parts from it, in kWaterParts parts on the way of the body (substep_way.h). So
+/// joins the sea or parts from it, in kWaterParts parts on the way of the body (substep_path.h). So
 /// a rim that dips for a part of a substep takes what it takes in shorter ones, and the volume at
 /// which a pocket joins the sea hardly depends on h.
 ///

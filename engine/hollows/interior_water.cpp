@@ -25,20 +25,20 @@ std::optional<Eigen::Vector3d> lowest_of_sill(const hydro::TriMesh& mesh_B,
 
 PocketState pocket_state(const MovingBody& moving, int pocket, double time) {
   const hydro::BodyState& state = moving.motion.state;
-  const HeldWater& held = *moving.motion.held;
-  const PocketContent& content = held.pockets[pocket];
-  const hydro::Hull& hull = held.interior->pockets[pocket];
+  const CarriedWater& carried = *moving.motion.carried_water;
+  const PocketContent& content = carried.pockets[pocket];
+  const hydro::Hull& hull = carried.interior->pockets[pocket];
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   PocketState report{.id = content.id,
                      .volume = content.volume,
                      .level = NAN,
-                     .capacity = held.interior->division.pockets[pocket].capacity,
+                     .capacity = carried.interior->division.pockets[pocket].capacity,
                      .spill = HUGE_VAL,
                      .flooded = content.flooded,
                      .inflow = content.inflow,
                      .centroid_W = Eigen::Vector3d::Constant(NAN)};
   const auto sill =
-      lowest_of_sill(moving.body.spec->mesh_B, held.interior->division, pocket, state);
+      lowest_of_sill(moving.body.spec->mesh_B, carried.interior->division, pocket, state);
   if (sill) {
     report.spill = sill->z();
     report.capacity = hydro::water_up_to(hull, R_WB, sill->z() - state.position.z()).volume;
@@ -60,9 +60,9 @@ PocketState pocket_state(const MovingBody& moving, int pocket, double time) {
 
 InteriorState interior_state(const MovingBody& moving, double time) {
   InteriorState report;
-  if (!moving.motion.held) return report;
-  report.interior = moving.motion.held->interior;
-  const int pockets = static_cast<int>(moving.motion.held->pockets.size());
+  if (!moving.motion.carried_water) return report;
+  report.interior = moving.motion.carried_water->interior;
+  const int pockets = static_cast<int>(moving.motion.carried_water->pockets.size());
   for (int i = 0; i < pockets; ++i) report.pockets.push_back(pocket_state(moving, i, time));
   return report;
 }

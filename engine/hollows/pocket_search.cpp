@@ -75,26 +75,26 @@ double sea_level(const Body& body, const hydro::BodyState& state, double time, i
 
 /// Gives the pockets of a new division the water of the old one, and that of the sea where they
 /// reach beyond it.
-void take_over(const Body& body, const hydro::BodyState& state, double time, const HeldWater& old,
-               HeldWater& held) {
+void take_over(const Body& body, const hydro::BodyState& state, double time,
+               const CarriedWater& old, CarriedWater& carried) {
   const hydro::TriMesh& mesh_B = body.spec->mesh_B;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   const Eigen::Vector3d up_B = R_WB.row(2);
-  held.next_id = old.next_id;
-  const std::size_t count = held.pockets.size();
+  carried.next_id = old.next_id;
+  const std::size_t count = carried.pockets.size();
   std::vector<double> sea(count), from_sea(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    const hydro::Pocket& pocket = held.interior->division.pockets[i];
+    const hydro::Pocket& pocket = carried.interior->division.pockets[i];
     sea[i] = sea_level(body, state, time, pocket.lowest);
     if (sea[i] > pocket.floor)
-      from_sea[i] = hydro::water_up_to(held.interior->pockets[i], R_WB, sea[i]).volume;
+      from_sea[i] = hydro::water_up_to(carried.interior->pockets[i], R_WB, sea[i]).volume;
   }
   std::vector<bool> known(count, false);
   for (std::size_t i = 0; i < old.pockets.size(); ++i) {
     const int face = lowest_face(mesh_B, old.interior->division.pockets[i], up_B);
-    const int to = held.interior ? held.interior->division.pocket_of_face[face] : kSea;
+    const int to = carried.interior ? carried.interior->division.pocket_of_face[face] : kSea;
     if (to == kSea) continue;
-    PocketContent& content = held.pockets[to];
+    PocketContent& content = carried.pockets[to];
     content.id = known[to] ? std::min(content.id, old.pockets[i].id) : old.pockets[i].id;
     known[to] = true;
     content.volume += old.pockets[i].volume;
@@ -103,11 +103,11 @@ void take_over(const Body& body, const hydro::BodyState& state, double time, con
     from_sea[to] -= hydro::water_up_to(old.interior->pockets[i], R_WB, sea[to]).volume;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    PocketContent& content = held.pockets[i];
-    const hydro::Pocket& pocket = held.interior->division.pockets[i];
-    const hydro::Hull& hull = held.interior->pockets[i];
+    PocketContent& content = carried.pockets[i];
+    const hydro::Pocket& pocket = carried.interior->division.pockets[i];
+    const hydro::Hull& hull = carried.interior->pockets[i];
     if (!known[i]) {
-      content.id = held.next_id++;
+      content.id = carried.next_id++;
       content.flooded = sea[i] > pocket.spill;
     }
     if (from_sea[i] > kKeptSpill * pocket.capacity) {
@@ -124,82 +124,82 @@ void take_over(const Body& body, const hydro::BodyState& state, double time, con
     content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
     content.up_B = up_B;
   }
-  held.inertia_B = water_inertia(held.pockets, body.environment.sea->density);
+  carried.inertia_B = water_inertia(carried.pockets, body.environment.sea->density);
 }
 
 /// True if a division makes no difference: all of the body is in the sea.
-bool is_all_sea(const Body& body, const hydro::BodyState& state, const HeldWater& held) {
+bool is_all_sea(const Body& body, const hydro::BodyState& state, const CarriedWater& carried) {
   const auto [lowest, height] = vertical_extent(body, state);
   return lowest + height < body.environment.lowest &&
-         std::all_of(held.pockets.begin(), held.pockets.end(),
+         std::all_of(carried.pockets.begin(), carried.pockets.end(),
                      [](const PocketContent& p) { return p.flooded; });
 }
 
 /// True if no water can get to where a division would differ.
-bool is_sheltered(const Body& body, const hydro::BodyState& state, const HeldWater& held) {
-  return held.has_all && !held.holds() &&
-         lowest_sill(body, held, state) >= body.environment.highest;
+bool is_sheltered(const Body& body, const hydro::BodyState& state, const CarriedWater& carried) {
+  return carried.has_all && !carried.holds() &&
+         lowest_sill(body, carried, state) >= body.environment.highest;
 }
 
 /// True if a search in an attitude near this one has found the pockets at hand.
-bool is_known(const HeldWater& held, const Eigen::Vector3d& up_B) {
+bool is_known(const CarriedWater& carried, const Eigen::Vector3d& up_B) {
   return std::any_of(
-      held.known_up_B.rbegin(), held.known_up_B.rend(),
+      carried.known_up_B.rbegin(), carried.known_up_B.rend(),
       [&](const Eigen::Vector3d& known) { return known.dot(up_B) > kKnownAttitude; });
 }
 
 /// The first vertical in B that is not known on the way between two states, of which the second one
 /// is not; the second one if the first is not known either.
-Eigen::Vector3d first_unknown(const HeldWater& held, const hydro::BodyState& before,
+Eigen::Vector3d first_unknown(const CarriedWater& carried, const hydro::BodyState& before,
                               const hydro::BodyState& after) {
-  const auto up_B = [&](double part) -> Eigen::Vector3d {
-    return before.orientation.slerp(part, after.orientation).toRotationMatrix().row(2);
+  const auto up_B = [&](double fraction) -> Eigen::Vector3d {
+    return before.orientation.slerp(fraction, after.orientation).toRotationMatrix().row(2);
   };
   double known = 0, unknown = 1;
-  if (!is_known(held, up_B(known))) return up_B(unknown);
+  if (!is_known(carried, up_B(known))) return up_B(unknown);
   for (int i = 0; i < kAttitudeBisections; ++i) {
     const double middle = (known + unknown) / 2;
-    (is_known(held, up_B(middle)) ? known : unknown) = middle;
+    (is_known(carried, up_B(middle)) ? known : unknown) = middle;
   }
   return up_B(unknown);
 }
 
 /// The water with the pockets that a search in the attitude `up_B` finds: that at hand, if it is
 /// right there, too.
-std::shared_ptr<const HeldWater> searched(const Body& body, const Eigen::Vector3d& up_B,
-                                          const hydro::BodyState& state, double time,
-                                          const std::shared_ptr<const HeldWater>& held) {
+std::shared_ptr<const CarriedWater> searched(const Body& body, const Eigen::Vector3d& up_B,
+                                             const hydro::BodyState& state, double time,
+                                             const std::shared_ptr<const CarriedWater>& carried) {
   const hydro::Pockets found = hydro::find_pockets(body.spec->mesh_B, up_B);
   const bool right =
-      held->interior ? agree(body, *held->interior, found, up_B) : found.pockets.empty();
-  std::shared_ptr<HeldWater> next;
+      carried->interior ? agree(body, *carried->interior, found, up_B) : found.pockets.empty();
+  std::shared_ptr<CarriedWater> next;
   if (right) {
-    next = std::make_shared<HeldWater>(*held);
+    next = std::make_shared<CarriedWater>(*carried);
     next->known_up_B.push_back(up_B);
   } else {
     next = dry_pockets(body, up_B);
-    take_over(body, state, time, *held, *next);
+    take_over(body, state, time, *carried, *next);
   }
   return next;
 }
 
 }  // namespace
 
-double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
+double lowest_sill(const Body& body, const CarriedWater& carried, const hydro::BodyState& state) {
   const Eigen::RowVector3d up_B = state.orientation.toRotationMatrix().row(2);
   double lowest = HUGE_VAL;
-  if (!held.interior) return lowest;
-  for (const hydro::SillEdge& edge : held.interior->division.sills)
+  if (!carried.interior) return lowest;
+  for (const hydro::SillEdge& edge : carried.interior->division.sills)
     lowest = std::min({lowest, up_B.dot(body.spec->mesh_B.vertices.col(edge.from)),
                        up_B.dot(body.spec->mesh_B.vertices.col(edge.to))});
   return state.position.z() + lowest;
 }
 
-std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& before,
-                                             const hydro::BodyState& after, double time,
-                                             const std::shared_ptr<const HeldWater>& held) {
+std::shared_ptr<const CarriedWater> divided_for(
+    const Body& body, const hydro::BodyState& before, const hydro::BodyState& after, double time,
+    const std::shared_ptr<const CarriedWater>& carried) {
   const Eigen::Vector3d last_B = after.orientation.toRotationMatrix().row(2);
-  std::shared_ptr<const HeldWater> water = held;
+  std::shared_ptr<const CarriedWater> water = carried;
   while (!is_known(*water, last_B) && !is_all_sea(body, after, *water) &&
          !is_sheltered(body, after, *water))
     water = searched(body, first_unknown(*water, before, after), after, time, water);

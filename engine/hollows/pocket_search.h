@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/motion/held_water.h"
+#include "engine/motion/carried_water.h"
 
 /// @file
 /// Which pockets a hollow body has as it turns.
@@ -17,14 +17,14 @@
 namespace engine {
 
 /// Height in W of the lowest sill; infinite without pockets.
-double lowest_sill(const Body& body, const HeldWater& held, const hydro::BodyState& state);
+double lowest_sill(const Body& body, const CarriedWater& carried, const hydro::BodyState& state);
 
 /// The water with the pockets that the body has in the state `after` that it has come to from
-/// `before` in a substep: `held`, if they are right. Water goes to the pocket that its lowest point
-/// is in. A pocket that was outside has the water that the sea left there.
+/// `before` in a substep: `carried`, if they are right. Water goes to the pocket that its lowest
+/// point is in. A pocket that was outside has the water that the sea left there.
 /// @param time   At the end of the substep [s].
-std::shared_ptr<const HeldWater> divided_for(const Body& body, const hydro::BodyState& before,
-                                             const hydro::BodyState& after, double time,
-                                             const std::shared_ptr<const HeldWater>& held);
+std::shared_ptr<const CarriedWater> divided_for(const Body& body, const hydro::BodyState& before,
+                                                const hydro::BodyState& after, double time,
+                                                const std::shared_ptr<const CarriedWater>& carried);
 
 }  // namespace engine

@@ -10,11 +10,11 @@
 namespace engine {
 namespace {
 
-StepValue held(double value) { return {value, value, value}; }
+StepValue constant(double value) { return {value, value, value}; }
 
 /// A signal over a step. A jump at the start of the step belongs to it in spite of round-off.
 StepValue over_step(const Signal& signal, double time, double h) {
-  if (signal.jumps()) return held(signal.at(time + 1e-12 * (std::abs(time) + h)));
+  if (signal.jumps()) return constant(signal.at(time + 1e-12 * (std::abs(time) + h)));
   return {signal.at(time), signal.at(time + h / 2), signal.at(time + h)};
 }
 
@@ -57,10 +57,11 @@ double output(const Relay& relay, SetPointState& state, const SetPoints::Measure
   return relay.values[state.beyond ? 1 : 0];
 }
 
-/// The value kept within `most` of the one before.
-StepValue limited(const StepValue& value, double before, double most) {
-  if (std::abs(value.end - before) <= most && std::abs(value.start - before) <= most) return value;
-  const double end = std::clamp(value.end, before - most, before + most);
+/// The value kept within `limit` of the one before.
+StepValue limited(const StepValue& value, double before, double limit) {
+  if (std::abs(value.end - before) <= limit && std::abs(value.start - before) <= limit)
+    return value;
+  const double end = std::clamp(value.end, before - limit, before + limit);
   return {before, (before + end) / 2, end};
 }
 
@@ -69,21 +70,21 @@ StepValue limited(const StepValue& value, double before, double most) {
 SetPoints::SetPoints(const SimulationSpec& spec)
     : spec_(&spec), states_(spec.set_points.size()), control_of_(spec.set_points.size()) {
   for (std::size_t i = 0; i < states_.size(); ++i)
-    states_[i].value = held(spec.set_points[i].initial / spec.set_points[i].unit);
+    states_[i].value = constant(spec.set_points[i].initial / spec.set_points[i].unit);
   for (std::size_t i = 0; i < spec.controls.size(); ++i) {
     const ControlSpec& control = spec.controls[i];
     control_of_.at(control.set) = i;
     const auto* signal = std::get_if<std::shared_ptr<const Signal>>(&control.source);
-    if (signal && control.start <= 0) states_[control.set].value = held((*signal)->at(0));
+    if (signal && control.start <= 0) states_[control.set].value = constant((*signal)->at(0));
   }
 }
 
 StepValue SetPoints::controlled(const ControlSpec& control, SetPointState& state, double time,
                                 double h, const Measure& measure) const {
   if (const auto* pid = std::get_if<Pid>(&control.source))
-    return held(output(*pid, state, time, h, measure));
+    return constant(output(*pid, state, time, h, measure));
   if (const auto* relay = std::get_if<Relay>(&control.source))
-    return held(output(*relay, state, measure));
+    return constant(output(*relay, state, measure));
   return over_step(*std::get<std::shared_ptr<const Signal>>(control.source), time, h);
 }
 
@@ -94,13 +95,13 @@ void SetPoints::begin_step(double time, double h, const Measure& measure) {
     const SetPointSpec& spec = spec_->set_points[i];
     const double before = state.value.end;
     const ControlSpec* control = control_of_[i] ? &spec_->controls[*control_of_[i]] : nullptr;
-    StepValue value = held(before);
+    StepValue value = constant(before);
     if (state.outside)
-      value = held(*state.outside);
+      value = constant(*state.outside);
     else if (control && time >= control->start - 1e-12 * (time + h))
       value = limited(controlled(*control, state, time, h, measure), before, control->rate * h);
     else if (!control)
-      value = held(spec.initial / spec.unit);
+      value = constant(spec.initial / spec.unit);
     const double least = spec.least / spec.unit, greatest = spec.greatest / spec.unit;
     for (double* v : {&value.start, &value.middle, &value.end})
       *v = std::clamp(*v, least, greatest);
@@ -108,19 +109,19 @@ void SetPoints::begin_step(double time, double h, const Measure& measure) {
   }
 }
 
-double SetPoints::part(double time) const { return std::clamp((time - start_) / h_, 0.0, 1.0); }
+double SetPoints::fraction(double time) const { return std::clamp((time - start_) / h_, 0.0, 1.0); }
 
 double SetPoints::value(SetPointId id, double time) const {
-  return unit(id) * states_[id].value.at(part(time));
+  return unit(id) * states_[id].value.at(fraction(time));
 }
 
 double SetPoints::rate(SetPointId id, double time) const {
-  return unit(id) * states_[id].value.slope(part(time)) / h_;
+  return unit(id) * states_[id].value.slope(fraction(time)) / h_;
 }
 
-double SetPoints::mean_within(SetPointId id, double most) const {
+double SetPoints::mean_within(SetPointId id, double limit) const {
   const StepValue& value = states_[id].value;
-  const auto within = [&](double v) { return std::clamp(v * unit(id), -most, most); };
+  const auto within = [&](double v) { return std::clamp(v * unit(id), -limit, limit); };
   return (within(value.start) + 4 * within(value.middle) + within(value.end)) / 6;
 }
 

@@ -22,12 +22,13 @@ struct StepValue {
   double start = 0, middle = 0, end = 0;
 
   /// @param part   Part of the step, 0 … 1.
-  double at(double part) const {
-    return start + part * (4 * middle - 3 * start - end + 2 * part * (start - 2 * middle + end));
+  double at(double fraction) const {
+    return start +
+           fraction * (4 * middle - 3 * start - end + 2 * fraction * (start - 2 * middle + end));
   }
-  /// Derivative by `part`.
-  double slope(double part) const {
-    return 4 * middle - 3 * start - end + 4 * part * (start - 2 * middle + end);
+  /// Derivative by `fraction`.
+  double slope(double fraction) const {
+    return 4 * middle - 3 * start - end + 4 * fraction * (start - 2 * middle + end);
   }
 };
 
@@ -57,7 +58,7 @@ class SetPoints {
   /// At the end of the last step, or at the start, in SI units.
   double latest(SetPointId id) const { return states_[id].value.end * unit(id); }
   /// Mean over the last step of the values, each kept within ±most, in SI units.
-  double mean_within(SetPointId id, double most) const;
+  double mean_within(SetPointId id, double limit) const;
   /// The latest values in the units of the names.
   std::vector<double> readings() const;
 
@@ -75,7 +76,7 @@ class SetPoints {
 
  private:
   double unit(SetPointId id) const { return spec_->set_points[id].unit; }
-  double part(double time) const;
+  double fraction(double time) const;
   StepValue controlled(const ControlSpec& control, SetPointState& state, double time, double h,
                        const Measure& measure) const;
 

@@ -30,13 +30,13 @@ hydro::BodyState projected_motion(const Body& body, const Motion& motion) {
 }
 
 /// The inertia of the water in a body's pockets, in B.
-Matrix6d carried_inertia(const HeldWater* held) {
-  return held ? held->inertia_B : Matrix6d(Matrix6d::Zero());
+Matrix6d carried_inertia(const CarriedWater* carried) {
+  return carried ? carried->inertia_B : Matrix6d(Matrix6d::Zero());
 }
 
 /// The part of A that turns with the body. The rest is constant in W and exerts no moment.
 Matrix6d added_in_drift(const Body& body, const Motion& motion) {
-  return body.rolls_free ? carried_inertia(motion.held.get()) : motion.added();
+  return body.rolls_free ? carried_inertia(motion.carried_water.get()) : motion.added();
 }
 
 /// A body without its hull.
@@ -124,8 +124,9 @@ Motion motion_at(const Body& body, const SimulationSpec& spec, const hydro::Body
   Motion motion{.state = state,
                 .memory = still_memory(body),
                 .water = still_water(body),
-                .held = water_at_start(body, state)};
-  if (body.has_added_mass) set_added_mass(motion, added_mass(body, state, motion.held.get(), time));
+                .carried_water = water_at_start(body, state)};
+  if (body.has_added_mass)
+    set_added_mass(motion, added_mass(body, state, motion.carried_water.get(), time));
   if (body.reduced_joint) motion.state = projected_motion(body, motion);
   if (body.wake && may_be_wet(body, motion.state)) {
     const Eigen::Vector3d current =
@@ -232,7 +233,7 @@ void drift(const Body& body, Motion& motion, double time) {
   const Eigen::Quaterniond R_WB = motion.state.orientation;
   motion.state = state_after_drift(body, motion, motion.flow, time);
   if (motion.added_B)
-    motion.added_B = after_turn(body, *motion.added_B, motion.held.get(),
+    motion.added_B = after_turn(body, *motion.added_B, motion.carried_water.get(),
                                 R_WB.conjugate() * motion.state.orientation);
   if (before) record_drift(body, *before, time, motion);
 }
@@ -255,20 +256,20 @@ double contact_fall(const Body& body, const Motion& motion) {
   return std::min(1.0, (body.spec->mass + body.displacement) / contact_mass(body, motion));
 }
 
-Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldWater* held,
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const CarriedWater* carried,
                     double time) {
   Matrix6d added = Matrix6d::Zero();
   if (!body.has_added_mass) return added;
   if (body.spec->added_mass) added = body.spec->added_mass->at(state, *body.environment.sea, time);
-  if (held) added += held->inertia_B;
+  if (carried) added += carried->inertia_B;
   return added;
 }
 
-Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const HeldWater* held,
+Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const CarriedWater* carried,
                     const Eigen::Quaterniond& turn) {
   if (!body.rolls_free) return added_B;
-  const Matrix6d carried = carried_inertia(held);
-  return carried + rotate_tensor(turn.conjugate().toRotationMatrix(), added_B - carried);
+  const Matrix6d water_B = carried_inertia(carried);
+  return water_B + rotate_tensor(turn.conjugate().toRotationMatrix(), added_B - water_B);
 }
 
 void set_added_mass(Motion& motion, const Matrix6d& added_B) {
@@ -299,10 +300,10 @@ AddedMassMatch compare_added_mass(const Body& body, const Matrix6d& start_B,
   if (scaled_change(body, found_B, found_B - taken_B) <= kEqualAddedMass)
     return AddedMassMatch::equal;
   // An update leaves at most this part of a difference.
-  const double off = relative_change(body, taken_B, found_B - taken_B);
+  const double error = relative_change(body, taken_B, found_B - taken_B);
   const double change = relative_change(body, taken_B, found_B - start_B);
-  return off * std::max(off, change) <= kUnmatchedAddedMass ? AddedMassMatch::near
-                                                            : AddedMassMatch::distant;
+  return error * std::max(error, change) <= kUnmatchedAddedMass ? AddedMassMatch::near
+                                                                : AddedMassMatch::distant;
 }
 
 Motion share_momentum(const Body& body, const Motion& before, const Matrix6d& added_B) {

@@ -129,13 +129,13 @@ double contact_mass(const Body& body, const Motion& motion);
 double contact_fall(const Body& body, const Motion& motion);
 
 /// A of the body in a state, in B: that of the water outside, and the water in its pockets.
-/// @param held   Null: it has none.
-Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const HeldWater* held,
+/// @param carried Null: it has none.
+Matrix6d added_mass(const Body& body, const hydro::BodyState& state, const CarriedWater* carried,
                     double time);
 
 /// A after a turn of the body, in its new axes: the same unless the water outside takes no part.
 /// @param turn   Turn of the body in its axes, from the old orientation to the new one.
-Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const HeldWater* held,
+Matrix6d after_turn(const Body& body, const Matrix6d& added_B, const CarriedWater* carried,
                     const Eigen::Quaterniond& turn);
 
 /// Sets A of the motion.

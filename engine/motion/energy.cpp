@@ -25,7 +25,7 @@ double potential_energy(const Body& body, const Motion& motion) {
   const hydro::BodyState& state = motion.state;
   const Environment& environment = body.environment;
   double energy = body.spec->mass * environment.gravity * (state.position.z() - environment.level);
-  if (holds_water(motion)) energy += held_energy(body, *motion.held, state);
+  if (holds_water(motion)) energy += carried_energy(body, *motion.carried_water, state);
   const bool lifted = body.wet && body.spec->coefficients.buoyancy && may_be_wet(body, state);
   if (lifted) energy += hydro::buoyancy_energy(sea_hull(body, motion), state, *environment.sea);
   return energy;

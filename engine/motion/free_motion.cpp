@@ -327,9 +327,10 @@ hydro::BodyState drifted(const Matrix6d& inertia_B, const DofMask& locked,
   while (rest > 0) {
     const Matrix3d R_BW = motion.q.conjugate().toRotationMatrix();
     const int count = count_parts(turning_rate(inertia_B, rotate(R_BW, motion.u), rotors_B), rest);
-    const double part = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
-    next.position += advance_locked(body, motion, part, kMostDriftHalvings) + part * current;
-    rest = count == 1 ? 0 : rest - part;
+    const double duration = count == 1 ? rest : std::min(rest, std::max(shortest, rest / count));
+    next.position +=
+        advance_locked(body, motion, duration, kMostDriftHalvings) + duration * current;
+    rest = count == 1 ? 0 : rest - duration;
   }
   next.orientation = motion.q;
   return with_velocity(next, motion.u, current);

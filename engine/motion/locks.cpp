@@ -18,9 +18,9 @@ Eigen::Quaterniond locked_orientation(const DofMask& locked, const Eigen::Quater
 
 Eigen::Quaterniond twist(const Eigen::Quaterniond& turn, const Eigen::Vector3d& axis) {
   const Eigen::Vector3d along = turn.vec().dot(axis) * axis;
-  const Eigen::Quaterniond part(turn.w(), along.x(), along.y(), along.z());
+  const Eigen::Quaterniond twist(turn.w(), along.x(), along.y(), along.z());
   // Half a turn about an axis normal to this one has no twist.
-  return part.norm() > 0 ? part.normalized() : Eigen::Quaterniond::Identity();
+  return twist.norm() > 0 ? twist.normalized() : Eigen::Quaterniond::Identity();
 }
 
 bool immovable(const DofMask& locked) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/motion/acceleration_history.h"
-#include "engine/motion/held_water.h"
+#include "engine/motion/carried_water.h"
 #include "engine/motion/wave_memory.h"
 #include "engine/motion/work_record.h"
 
@@ -25,12 +25,12 @@ struct Motion {
   /// How far the body has lately gone through the water, in W (hydro/loads/wake.h) [m, rad].
   Vector6d wake = Vector6d::Zero();
   // Motions are copied often, and most have no added mass.
-  std::optional<Matrix6d> added_B;        ///< A; none where it is zero.
-  std::optional<WaveMemory> memory;       ///< Only for a body that radiates waves.
-  std::optional<WaterMemory> water;       ///< Only for a hull in simulated water.
-  std::shared_ptr<const HeldWater> held;  ///< Null: the body cannot have pockets.
-  AccelerationHistory accelerations;      ///< Empty after contacts and other jumps.
-  bool constrained = false;               ///< Joints or contacts acted in the last substep.
+  std::optional<Matrix6d> added_B;                    ///< A; none where it is zero.
+  std::optional<WaveMemory> memory;                   ///< Only for a body that radiates waves.
+  std::optional<WaterMemory> water;                   ///< Only for a hull in simulated water.
+  std::shared_ptr<const CarriedWater> carried_water;  ///< Null: the body cannot have pockets.
+  AccelerationHistory accelerations;                  ///< Empty after contacts and other jumps.
+  bool constrained = false;  ///< Joints or contacts acted in the last substep.
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W
   /// [m/s^2]; none after a free substep.
   std::optional<Eigen::Vector3d> load_acceleration_W;

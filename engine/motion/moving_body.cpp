@@ -53,7 +53,7 @@ hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::Bo
   hydro::Loads loads;
   if (body.wet)
     loads = sea_loads(body, motion, state, time, body.spec->coefficients, body.spec->summation);
-  if (holds_water(motion)) add_held_loads(body, *motion.held, state, time, loads);
+  if (holds_water(motion)) add_carried_loads(body, *motion.carried_water, state, time, loads);
   const double formed = formed_wake(body, motion, state);
   const bool sheds = formed < 1 && !body.wake->edges.none();
   loads.pressure_drag = formed * loads.pressure_drag;
@@ -88,13 +88,13 @@ hydro::Wrench find_loads(MovingBody& moving, const Motion& motion, const hydro::
   if (stays_dry && !moving.body.feels_air) {
     loads.water = {};
     cache.water_state.reset();
-  } else if (meets_water && cache.water_state == state && cache.held == motion.held &&
-             cache.wake == motion.wake) {
+  } else if (meets_water && cache.water_state == state &&
+             cache.carried_water == motion.carried_water && cache.wake == motion.wake) {
     ++moving.counts.resting;
   } else if (meets_water) {
     const Stopwatch stopwatch(cache.seconds);
     loads.water = water_loads(moving.body, motion, state, time);
-    cache.held = motion.held;
+    cache.carried_water = motion.carried_water;
     cache.wake = motion.wake;
     cache.water_state.reset();
     if (!hydro::changes_with_time(*moving.body.environment.sea)) cache.water_state = state;

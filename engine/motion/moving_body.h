@@ -27,11 +27,11 @@ struct LoadCache {
   BodyLoads loads;
   /// State that the water's loads are those of; none where they follow from more than that.
   std::optional<hydro::BodyState> water_state;
-  std::shared_ptr<const HeldWater> held;  ///< The water in its pockets for that state.
-  Vector6d wake = Vector6d::Zero();       ///< Wake of the motion for that state.
-  WaveMemoryRule memory_rule;             ///< Rule of the last substep.
-  double seconds = 0;                     ///< Wall time of loads and added mass so far [s].
-  double sea_seconds = 0;                 ///< Time spent on the motion of waves about it [s].
+  std::shared_ptr<const CarriedWater> carried_water;  ///< The water in its pockets for that state.
+  Vector6d wake = Vector6d::Zero();                   ///< Wake of the motion for that state.
+  WaveMemoryRule memory_rule;                         ///< Rule of the last substep.
+  double seconds = 0;             ///< Wall time of loads and added mass so far [s].
+  double sea_seconds = 0;         ///< Time spent on the motion of waves about it [s].
   double constraint_seconds = 0;  ///< Time spent on islands of which it is the first body [s].
 };
 

@@ -208,16 +208,16 @@ struct Solution {
 Solution implicit_change(const UpdateContext& s, bool with_lift, Pieces pieces) {
   Vector6d change = Vector6d::Zero(), nearest = change;
   const double floor = kNewtonRoundOff * kNewtonRoundOff * s.square(s.u);
-  double part = 0.5, least = std::numeric_limits<double>::infinity();
+  double fraction = 0.5, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostNewtonSteps; ++i) {
-    Vector6d at = s.u + part * change;
+    Vector6d at = s.u + fraction * change;
     const hydro::LoadJacobian J = jacobian(s, at, pieces);
-    part = std::max(part, theta(largest_stiffness(s, J.drag)));
-    at = s.u + part * change;
+    fraction = std::max(fraction, theta(largest_stiffness(s, J.drag)));
+    at = s.u + fraction * change;
     const Matrix6d S = with_waterplane(s, J.waterplane);
     Vector6d F = s.with_memory(s.loads(at));
     if (!with_lift) F -= to_vector6(s.water().lift);
-    const Vector6d correction = s.solve(S - s.h * part * J.drag, s.h * F - S * change);
+    const Vector6d correction = s.solve(S - s.h * fraction * J.drag, s.h * F - S * change);
     change += correction;
     const double missed = correction.dot(S * correction);
     const double size = change.dot(S * change);
@@ -338,11 +338,11 @@ EffectiveLoad effective_load(MovingBody& moving, const MidpointState& midpoint,
   result.implicit = is_stiff(s, at, s.u + expected + h * s.accelerated(result.load));
   if (!result.implicit) return result;
   hydro::LoadJacobian J = jacobian(s, at, pieces);
-  const double part = theta(largest_stiffness(s, J.drag));
-  at = s.u + part * expected;
+  const double fraction = theta(largest_stiffness(s, J.drag));
+  at = s.u + fraction * expected;
   J = jacobian(s, at, pieces);
-  result.inertia = with_waterplane(s, J.waterplane) - h * part * J.drag;
-  result.load = s.with_memory(s.loads(at)) - part * J.drag * expected;
+  result.inertia = with_waterplane(s, J.waterplane) - h * fraction * J.drag;
+  result.load = s.with_memory(s.loads(at)) - fraction * J.drag * expected;
   return result;
 }
 

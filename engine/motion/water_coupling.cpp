@@ -53,10 +53,10 @@ void WaterCoupling::end_step(long number, const std::vector<MovingBody>& bodies,
   if ((number + 1) % steps_ != 0) return;
   const Stopwatch stopwatch(seconds);
   const double root = std::sqrt(spec_.sea->density);
-  std::vector<hydro::Vector6d> ways(bodies.size(), Vector6d::Zero());
+  std::vector<hydro::Vector6d> displacements(bodies.size(), Vector6d::Zero());
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].motion.water) ways[i] = bodies[i].motion.water->way / root;
-  water_.end(states_of(bodies), ways);
+    if (bodies[i].motion.water) displacements[i] = bodies[i].motion.water->displacement / root;
+  water_.end(states_of(bodies), displacements);
 }
 
 }  // namespace engine

@@ -53,7 +53,7 @@ Matrix6d spring(const Body& body) { return body.environment.gravity * body.spec-
 /// f − g C ξ of (E18a) in H; f, which is known before, leaves with A as the body leaves the water.
 Vector6d water_load(const Body& body, const WaterMemory& water, double strength) {
   const double presence = strength / std::sqrt(body.environment.sea->density);
-  return presence * water.load - spring(body) * water.way;
+  return presence * water.load - spring(body) * water.displacement;
 }
 
 /// p of (E19a) in W.
@@ -153,7 +153,7 @@ void advance_memory(const Body& body, const MidpointState& midpoint, const Vecto
   const Vector6d u = midpoint.mean() + change / 2 + effect.current;
   const Vector6d u_H = effect.strength * effect.frame.velocity_in(u);
   if (end.water) {
-    end.water->way += rule.h * u_H;
+    end.water->displacement += rule.h * u_H;
     return;
   }
   assert(rule.inverse.size() == end.memory->p.size());
@@ -164,7 +164,8 @@ void advance_memory(const Body& body, const MidpointState& midpoint, const Vecto
 }
 
 double memory_energy(const Body& body, const Motion& motion) {
-  if (motion.water) return motion.water->way.dot(spring(body) * motion.water->way) / 2;
+  if (motion.water)
+    return motion.water->displacement.dot(spring(body) * motion.water->displacement) / 2;
   if (!motion.memory) return 0;
   const Eigen::VectorXd stretched = oscillators(body).frequencies.cwiseProduct(motion.memory->q);
   return (motion.memory->p.squaredNorm() + stretched.squaredNorm()) / 2;

@@ -49,10 +49,10 @@
 ///
 ///     ξ' = B u,      F = Bᵀ (f − g C ξ), (E18a)
 ///
-/// with B the turn to H times the same strength, and ξ the body's way since the water's step began.
-/// The energy ½g ξ·Cξ is what the water takes over at the step's end. The midpoint rule gives an
-/// update the inertia ¼h² BᵀgCB and the load of the way that u₀ leads to; (E19a) has the momentum
-/// of the simulated waves in the place of Bᵀ q.
+/// with B the turn to H times the same strength, and ξ the body's displacement since the water's
+/// step began. The energy ½g ξ·Cξ is what the water takes over at the step's end. The midpoint rule
+/// gives an update the inertia ¼h² BᵀgCB and the load of the displacement that u₀ leads to; (E19a)
+/// has the momentum of the simulated waves in the place of Bᵀ q.
 ///
 /// [STF] Salvesen, Tuck and Faltinsen. Ship motions and sea loads. Trans. SNAME 78 (1970).
 
@@ -69,12 +69,12 @@ struct WaveMemory {
   Eigen::VectorXd p;  ///< [√J]
 };
 
-/// The load and momentum of simulated water at the start of its step, and the way since, in H and
-/// for water of density 1 times the root of the density.
+/// The load and momentum of simulated water at the start of its step, and the displacement since,
+/// in H and for water of density 1 times the root of the density.
 struct WaterMemory {
-  Vector6d way = Vector6d::Zero();       ///< ξ
-  Vector6d load = Vector6d::Zero();      ///< f
-  Vector6d momentum = Vector6d::Zero();  ///< Momentum in (E19a).
+  Vector6d displacement = Vector6d::Zero();  ///< ξ
+  Vector6d load = Vector6d::Zero();          ///< f
+  Vector6d momentum = Vector6d::Zero();      ///< Momentum in (E19a).
 };
 
 /// The terms that depend on the body and h alone.

@@ -17,9 +17,9 @@ void TimeBook::add(const std::vector<MovingBody>& bodies, int threads, double wa
       std::clamp(static_cast<double>(bodies.size()), 1.0, std::max(1.0, 1.0 * threads));
   double rest = wall - collision;
   const auto take = [&](double now, double before) {
-    const double part = std::min(rest, (now - before) / at_once);
-    rest -= part;
-    return part;
+    const double share = std::min(rest, (now - before) / at_once);
+    rest -= share;
+    return share;
   };
   timings_.collision += collision;
   timings_.hydro += take(sums.loads, so_far_.loads);

@@ -85,26 +85,26 @@ double drive_load(const JointDrive& drive, const SetPoints& set_points, double t
                   double rate, bool stiff) {
   double effort = 0;
   if (drive.motor && drive.motor->mode == Mode::effort)
-    effort += std::clamp(set_value(*drive.motor, set_points, time), -drive.motor->most,
-                         drive.motor->most);
+    effort += std::clamp(set_value(*drive.motor, set_points, time), -drive.motor->largest_effort,
+                         drive.motor->largest_effort);
   if (!stiff) effort -= drive.stiffness * (q - drive.rest) + drive.damping * rate;
   return effort;
 }
 
 double motor_load(const JointDrive& drive, const SetPoints& set_points) {
   if (!drive.motor || drive.motor->mode != Mode::effort) return 0;
-  return set_points.mean_within(drive.motor->set_point, drive.motor->most);
+  return set_points.mean_within(drive.motor->set_point, drive.motor->largest_effort);
 }
 
 std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_points, double time,
                                  double h, const DriveState& s, bool turns) {
   std::vector<ForceRow> rows;
   const double mobility = 1 / s.inertia;
-  const auto off = [&](double target) { return turns ? wrapped(target - s.q) : target - s.q; };
+  const auto missing = [&](double target) { return turns ? wrapped(target - s.q) : target - s.q; };
   if (s.stiff && (drive.stiffness > 0 || drive.damping > 0))
     rows.push_back(row_of(row_terms({.stiffness = drive.stiffness,
                                      .damping = drive.damping,
-                                     .missing = off(drive.rest),
+                                     .missing = missing(drive.rest),
                                      .rate = s.rate,
                                      .mobility = mobility},
                                     h, s.step),
@@ -112,25 +112,25 @@ std::vector<ForceRow> drive_rows(const JointDrive& drive, const SetPoints& set_p
   if (drive.motor && drive.motor->mode == Mode::speed) {
     rows.push_back(
         row_of(rigid_terms(set_value(*drive.motor, set_points, time), mobility, h), 1, turns));
-    rows.back().most = drive.motor->most;
+    rows.back().largest_force = drive.motor->largest_effort;
     rows.back().of_motor = true;
   }
   if (drive.motor && drive.motor->mode == Mode::position) {
     const double w = drive.motor->rate;
     rows.push_back(row_of(row_terms({.stiffness = w * w * s.inertia,
                                      .damping = 2 * w * s.inertia,
-                                     .missing = off(set_value(*drive.motor, set_points, time)),
+                                     .missing = missing(set_value(*drive.motor, set_points, time)),
                                      .rest_rate = set_points.rate(drive.motor->set_point, time),
                                      .rate = s.rate,
                                      .mobility = mobility},
                                     h, s.step),
                           1, turns));
-    rows.back().most = drive.motor->most;
+    rows.back().largest_force = drive.motor->largest_effort;
     rows.back().of_motor = true;
   }
   if (drive.friction > 0) {
     rows.push_back(row_of(rigid_terms(0, mobility, h), 1, turns));
-    rows.back().most = drive.friction;
+    rows.back().largest_force = drive.friction;
   }
   if (!drive.limits) return rows;
   const double below = (*drive.limits)[0] - s.q, above = s.q - (*drive.limits)[1];

@@ -41,19 +41,19 @@ LinePull pull_of_mooring(const LineSpec& line, double length, const LineEnd& fai
   pull.stiffness = K(0, 0) * e * e.transpose() + K(1, 1) * z * z.transpose() -
                    K(0, 1) * (e * z.transpose() + z * e.transpose()) +
                    sideways * side * side.transpose();
-  const Vector3d way = anchor.place_W - fairlead.place_W;
-  pull.distance = way.norm();
+  const Vector3d path = anchor.place_W - fairlead.place_W;
+  pull.distance = path.norm();
   if (sea && line.drag_diameter > 0 && pull.distance > 0)
-    add_drag(line, length, fairlead, way / pull.distance, *sea, time, pull);
+    add_drag(line, length, fairlead, path / pull.distance, *sea, time, pull);
   return pull;
 }
 
 }  // namespace
 
 CatenaryPlane catenary_plane(const Vector3d& fairlead_W, const Vector3d& anchor_W) {
-  const Vector3d way = anchor_W - fairlead_W;
-  CatenaryPlane plane{.span = way.head<2>().norm(), .height = -way.z()};
-  if (plane.span > 0) plane.towards_W = Vector3d(way.x(), way.y(), 0) / plane.span;
+  const Vector3d path = anchor_W - fairlead_W;
+  CatenaryPlane plane{.span = path.head<2>().norm(), .height = -path.z()};
+  if (plane.span > 0) plane.towards_W = Vector3d(path.x(), path.y(), 0) / plane.span;
   return plane;
 }
 
@@ -70,12 +70,12 @@ LinePull pull_of(const LineSpec& line, const LineLength& length, const LineEnd& 
   if (line.kind == LineSpec::Kind::mooring)
     return pull_of_mooring(line, length.length, first, second, sea, time, start);
   LinePull pull;
-  const Vector3d way = second.place_W - first.place_W;
-  pull.distance = way.norm();
+  const Vector3d path = second.place_W - first.place_W;
+  pull.distance = path.norm();
   const double stretch = pull.distance - length.length;
   const bool slack = line.kind == LineSpec::Kind::rope && stretch <= 0;
   if (slack || pull.distance == 0) return pull;
-  const Vector3d n = way / pull.distance;
+  const Vector3d n = path / pull.distance;
   const double opening = n.dot(second.velocity_W - first.velocity_W) - length.rate;
   pull.tension = line.stiffness * stretch + line.damping * opening;
   if (line.kind == LineSpec::Kind::rope && pull.tension <= 0) return {.distance = pull.distance};

@@ -97,8 +97,8 @@ std::vector<Rig::LineToWorld> Rig::lines_to_world(const std::vector<MovingBody>&
     const LinePull pull = pull_of_line(index, first, second, time);
     const End& own = is_first ? first : second;
     const End& other = is_first ? second : first;
-    const Vector3d way = other.point.place_W - own.point.place_W;
-    const Vector3d rest_moves = -length_at(index, time).rate * way.stableNormalized();
+    const Vector3d path = other.point.place_W - own.point.place_W;
+    const Vector3d rest_moves = -length_at(index, time).rate * path.stableNormalized();
     lines.push_back({.r_W = own.r_W,
                      .force_W = is_first ? pull.force_W : Vector3d(-pull.force_W),
                      .parting_W = own.point.velocity_W - rest_moves,
@@ -178,12 +178,13 @@ void Rig::add_drive_load(const std::vector<MovingBody>& all, Island& island, std
 
 void Rig::add_lateral_inertia(const ForceRow& row, const End& end, const LineHold& hold,
                               double h) const {
-  if (!end.body || !(row.held > 0)) return;
+  if (!end.body || !(row.tension_bound > 0)) return;
   const double lever = std::max(0.0, hold.pull_W.dot(end.r_W));
-  const double square = sideways_phase(end.body->id, end.r_W, row.held, hold.distance, lever, h);
+  const double square =
+      sideways_phase(end.body->id, end.r_W, row.tension_bound, hold.distance, lever, h);
   if (square < kStiffLine) return;
   const double weight =
-      h * h * spring_weights(unresolved(std::sqrt(square)), h, h).after * row.held;
+      h * h * spring_weights(unresolved(std::sqrt(square)), h, h).after * row.tension_bound;
   Matrix6d& more = *end.body->midpoint.rig_inertia;
   more.diagonal().head<3>().array() += weight / hold.distance;
   more.diagonal().tail<3>().array() += weight * (end.r_W.squaredNorm() / hold.distance + lever);
@@ -216,15 +217,15 @@ void Rig::add_line_row(const std::vector<MovingBody>& all, Island& island, std::
   const LineSpec& line = spec_->lines[index];
   const End first = end_of(all, island, line.first, h, false);
   const End second = end_of(all, island, line.second, h, false);
-  const Vector3d way = first.point.place_W - second.point.place_W;
-  const double distance = way.norm();
+  const Vector3d path = first.point.place_W - second.point.place_W;
+  const double distance = path.norm();
   const LineLength length = length_at(index, time);
   if (distance == 0) return;
   // The tension pulls the second body to the first: J u = −l'.
   ForceRow row{.first = line.first.body,
                .second = line.second.body,
                .point_W = second.point.place_W,
-               .direction_W = way / distance,
+               .direction_W = path / distance,
                .one_sided = line.kind == LineSpec::Kind::rope,
                .owner = index};
   const double rate = row.direction_W.dot(second.point.velocity_W - first.point.velocity_W);
@@ -240,7 +241,7 @@ void Rig::add_line_row(const std::vector<MovingBody>& all, Island& island, std::
                 h, spec_->step);
   row.target = terms.target;
   row.compliance = terms.compliance;
-  row.held = std::max(lines_[index].tension, found);
+  row.tension_bound = std::max(lines_[index].tension, found);
   for (const auto& [end, sign] : {std::pair(&first, -1.0), std::pair(&second, 1.0)}) {
     add_lateral_inertia(row, *end, {.pull_W = sign * row.direction_W, .distance = distance}, h);
     if (end->body)
@@ -318,7 +319,7 @@ void Rig::find_rows(const std::vector<MovingBody>& all, Island& island, double t
 
 bool Rig::is_held(const Island& island) {
   return std::ranges::all_of(island.rows, [](const ForceRow& row) {
-    return row.force <= kHeldTension * row.held || row.force * row.sideways < kStiffLine;
+    return row.force <= kHeldTension * row.tension_bound || row.force * row.sideways < kStiffLine;
   });
 }
 

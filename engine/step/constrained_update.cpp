@@ -241,10 +241,11 @@ ConstraintResult solve(const Problem& problem) {
   if (result.solved) return result;
   const std::vector<Vector6d> before = velocities_before(problem);
   // A substep as long as kShortestContact may gain the whole amount; shorter ones share it.
-  const double part = problem.h / std::max(problem.h, kShortestContact);
-  const double most = part * (kUnsolvedWork * motion_energy(problem) + overlap_energy(problem));
-  if (!adds_energy(result, before, problem.h, most)) return result;
-  return limit_energy(without_reactions(problem, result), result, before, problem.h, most);
+  const double fraction = problem.h / std::max(problem.h, kShortestContact);
+  const double allowed_gain =
+      fraction * (kUnsolvedWork * motion_energy(problem) + overlap_energy(problem));
+  if (!adds_energy(result, before, problem.h, allowed_gain)) return result;
+  return limit_energy(without_reactions(problem, result), result, before, problem.h, allowed_gain);
 }
 
 /// True if the changes agree with those that the loads were linearised about.
@@ -253,8 +254,8 @@ bool has_converged(const Problem& problem, const ConstraintResult& result) {
     const BodyEquation& b = problem.bodies[i];
     if (!b.implicit) continue;
     const Vector6d& change = result.changes[i];
-    const Vector6d off = change - problem.island.bodies[i]->predicted;
-    if (off.dot(b.S * off) > kNewtonTolerance * kNewtonTolerance * change.dot(b.S * change))
+    const Vector6d error = change - problem.island.bodies[i]->predicted;
+    if (error.dot(b.S * error) > kNewtonTolerance * kNewtonTolerance * change.dot(b.S * change))
       return false;
   }
   return true;
@@ -266,8 +267,8 @@ double missed(const Problem& problem, const ConstraintResult& result) {
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
     const BodyEquation& b = problem.bodies[i];
     if (!b.implicit) continue;
-    const Vector6d off = result.changes[i] - problem.island.bodies[i]->predicted;
-    sum += off.dot(b.S * off);
+    const Vector6d error = result.changes[i] - problem.island.bodies[i]->predicted;
+    sum += error.dot(b.S * error);
   }
   return sum;
 }
@@ -300,8 +301,8 @@ bool linearise(const StepContext& context, Island& island, double time, double h
   const Problem problem{.context = context, .island = island, .bodies = equations, .h = h};
   double least = std::numeric_limits<double>::infinity();
   // On fine pieces, half steps lead no nearer.
-  const int most = pieces == hydro::Pieces::fine ? kFullNewtonSteps : kMostLinearisations;
-  for (int i = 0; i < most; ++i) {
+  const int limit = pieces == hydro::Pieces::fine ? kFullNewtonSteps : kMostLinearisations;
+  for (int i = 0; i < limit; ++i) {
     parallel_for_rethrow(context.parallel_for, equations.size(), [&](std::size_t k) {
       context.check_stop();
       equations[k] = make_equation(*island.bodies[k], time, h, pieces);
@@ -316,11 +317,11 @@ bool linearise(const StepContext& context, Island& island, double time, double h
     }
     const ConstraintResult result = solve(problem);
     const bool done = has_converged(problem, result);
-    const double off = missed(problem, result);
-    if (done || !(off >= least)) keep(problem, result);
+    const double error = missed(problem, result);
+    if (done || !(error >= least)) keep(problem, result);
     if (done) return true;
-    if (off > kNewtonDiverged * least) return false;
-    least = std::min(least, off);
+    if (error > kNewtonDiverged * least) return false;
+    least = std::min(least, error);
     for (std::size_t k = 0; k < equations.size(); ++k) {
       // Where Newton's method alternates, the mean is nearer.
       Vector6d& predicted = island.bodies[k]->predicted;

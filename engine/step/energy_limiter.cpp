@@ -119,13 +119,13 @@ void EnergyLimiter::clamp(const std::vector<SubstepBody*>& members) {
   const bool enough = kinetic_ > excess_;
   const bool much = excess_ > allowed_;
   if (!enough && !much) return;
-  const double part = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
+  const double fraction = enough ? std::sqrt(1 - excess_ / kinetic_) : 0;
   for (SubstepBody* b : members) {
     Eigen::Vector3d frame = Eigen::Vector3d::Zero();
     if (in_still_water_) frame = b->body().current();
     if (!enough) b->end = b->moving->motion;
     const Motion fast = b->end;
-    b->end.state = with_velocity(fast.state, part * velocity(fast.state, frame), frame);
+    b->end.state = with_velocity(fast.state, fraction * velocity(fast.state, frame), frame);
     if (b->end.work) record_clamp(b->body(), fast, b->end);
     if (!much) continue;
     b->end.accelerations.clear();

@@ -92,12 +92,12 @@ std::optional<double> Impacts::next(double h, const std::vector<Pair>& touching)
   PredictedStates states(*context_);
   std::vector<Onset> found;
   if (resolved) found = onsets(h);
-  const int most = kMostPassings * static_cast<int>(group_->bodies.size());
-  bool passes = passings_ < most && add_passings(h, states, found);
+  const int limit = kMostPassings * static_cast<int>(group_->bodies.size());
+  bool passes = passings_ < limit && add_passings(h, states, found);
   if (found.empty()) return std::nullopt;
   // A shorter substep may miss an impact that the contacts halfway through a longer one show.
   double start = earliest(found);
-  while (passings_ < most && add_passings(start, states, found)) {
+  while (passings_ < limit && add_passings(start, states, found)) {
     start = earliest(found);
     passes = true;
   }

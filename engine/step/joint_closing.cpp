@@ -119,16 +119,16 @@ class Linkage {
   }
 
   /// True if J u of a row exceeds a part of what its bodies could make of it with any direction.
-  bool moves(const std::vector<ConstraintBlock>& blocks, double part) const {
+  bool moves(const std::vector<ConstraintBlock>& blocks, double fraction) const {
     return std::ranges::any_of(blocks, [&](const ConstraintBlock& block) {
-      Eigen::Vector3d rate = Eigen::Vector3d::Zero(), most = Eigen::Vector3d::Zero();
+      Eigen::Vector3d rate = Eigen::Vector3d::Zero(), largest = Eigen::Vector3d::Zero();
       for (std::size_t side = 0; side < 2; ++side) {
         const Link* link = find(block.bodies[side]);
         if (!link) continue;
         rate += block.J[side] * link->u();
-        most += block.J[side].cwiseAbs() * link->u().cwiseAbs();
+        largest += block.J[side].cwiseAbs() * link->u().cwiseAbs();
       }
-      return (rate.cwiseAbs().array() > part * most.array()).any();
+      return (rate.cwiseAbs().array() > fraction * largest.array()).any();
     });
   }
 
@@ -156,15 +156,15 @@ class Linkage {
     double lightest = std::numeric_limits<double>::infinity();
     for (const Link& link : links_)
       lightest = std::min(lightest, link.body().radius * std::sqrt(link.body().spec->mass));
-    const std::vector<Vector6d> way =
+    const std::vector<Vector6d> step =
         solve(bodies_at_rest(), blocks(), before * lightest).velocities;
     double turn = 0;
-    for (const Vector6d& d : way) turn = std::max(turn, d.tail<3>().norm());
-    double part = turn > kLargestClosingTurn ? kLargestClosingTurn / turn : 1;
+    for (const Vector6d& d : step) turn = std::max(turn, d.tail<3>().norm());
+    double fraction = turn > kLargestClosingTurn ? kLargestClosingTurn / turn : 1;
     std::vector<hydro::BodyState> ends(links_.size());
-    for (int i = 0; i <= kMostClosings; ++i, part /= 2) {
+    for (int i = 0; i <= kMostClosings; ++i, fraction /= 2) {
       for (std::size_t k = 0; k < links_.size(); ++k)
-        ends[k] = displaced(links_[k].body(), links_[k].motion->state, part * way[k]);
+        ends[k] = displaced(links_[k].body(), links_[k].motion->state, fraction * step[k]);
       const double after = error(ends);
       if (!(after < before)) continue;
       for (std::size_t k = 0; k < links_.size(); ++k) displace(links_[k], ends[k]);
@@ -185,7 +185,7 @@ class Linkage {
       if (!motion.added_B) return;
       if (!body.locked)
         state.linear_velocity = motion.flow + turn * (state.linear_velocity - motion.flow);
-      motion.added_B = after_turn(body, *motion.added_B, motion.held.get(),
+      motion.added_B = after_turn(body, *motion.added_B, motion.carried_water.get(),
                                   start.conjugate() * state.orientation);
     });
   }

@@ -59,7 +59,7 @@ void begin_constrained(SubstepBody& b, double h) {
 /// A in a state at or near the end of the substep, in the axes of the body halfway.
 Matrix6d added_mass_halfway(const SubstepBody& b, const Matrix6d& added_B,
                             const hydro::BodyState& at) {
-  return after_turn(b.body(), added_B, b.halfway.held.get(),
+  return after_turn(b.body(), added_B, b.halfway.carried_water.get(),
                     at.orientation.conjugate() * b.halfway.state.orientation);
 }
 
@@ -70,7 +70,7 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
   const Vector6d change = b.touching ? Vector6d(h * b.moving->motion.acceleration_W) : b.predicted;
   const Vector6d u = velocity(halfway, Eigen::Vector3d::Zero()) + change;
   b.added_at = displaced(b.body(), halfway, h / 2 * u);
-  const Matrix6d added_B = added_mass(b.body(), b.added_at, b.halfway.held.get(), end);
+  const Matrix6d added_B = added_mass(b.body(), b.added_at, b.halfway.carried_water.get(), end);
   b.added_B = added_mass_halfway(b, added_B, b.added_at);
 }
 
@@ -79,7 +79,7 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
 /// does not tell how the added mass changes with the pose.
 bool ends_as_expected(const SubstepBody& b) {
   const Environment& environment = b.body().environment;
-  if (environment.uneven() || b.end.held) return false;
+  if (environment.uneven() || b.end.carried_water) return false;
   const double off = pose_distance(b.body(), b.added_at, b.end.state);
   const double way = dip_distance(b.body(), b.start, b.added_at);
   const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
@@ -194,7 +194,7 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
   for (SubstepBody* b : island.bodies) {
     if (!b->body().has_added_mass || ends_as_expected(*b)) continue;
     const Stopwatch stopwatch(b->moving->cache.seconds);
-    const Matrix6d added_B = added_mass(b->body(), b->end.state, b->end.held.get(), time);
+    const Matrix6d added_B = added_mass(b->body(), b->end.state, b->end.carried_water.get(), time);
     const Matrix6d found_B = added_mass_halfway(*b, added_B, b->end.state);
     const auto match = compare_added_mass(b->body(), b->halfway.added(), b->added_B, found_B);
     if (match == AddedMassMatch::equal) continue;
@@ -210,15 +210,15 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 /// Lets water run between the pockets of a body and the sea. Under a height field it may come from
 /// above the still water level, and a pump lifts it: then it brings energy.
 void let_water_in(SubstepBody& b, double time, double h) {
-  const std::shared_ptr<const HeldWater> held = b.end.held;
+  const std::shared_ptr<const CarriedWater> carried = b.end.carried_water;
   const std::vector<double> rates = pump_rates(*b.moving, time - h / 2);
   let_water_run(b.body(), b.moving->motion.state, time, h, rates, b.end);
   b.inflow_work = 0;
   const Environment& environment = b.body().environment;
   const bool judged = (environment.uneven() || pumping(rates)) && must_not_gain_energy(b.body());
-  if (!judged || b.end.held == held) return;
+  if (!judged || b.end.carried_water == carried) return;
   Motion before = b.end;
-  before.held = held;
+  before.carried_water = carried;
   const double brought = potential_energy(b.body(), b.end) - potential_energy(b.body(), before);
   b.inflow_work = std::max(0.0, brought);
 }

@@ -38,7 +38,7 @@ double inertia(const SimulationSpec& spec) {
 JointMotor motor(SimulationSpec& spec, JointMotor::Mode mode, double value, double most) {
   return {.mode = mode,
           .set_point = support::add_set_point(spec, "joints[hinge].motor", value),
-          .most = most};
+          .largest_effort = most};
 }
 
 TEST(JointMotor, OfSpeedAcceleratesAtItsLargestTorqueAndThenHoldsTheSpeed) {

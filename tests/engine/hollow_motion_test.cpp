@@ -107,7 +107,7 @@ TEST(HollowBody, TheWeightIsThatOfOutsideAndInsideInAnyAttitude) {
     SimulationSpec spec = in_still_water(box, 0);
     spec.bodies[0].initial.position = {0, 0, 5};  // In the air: only water inside acts.
     std::vector<engine::MovingBody> bodies = support::moving_bodies(spec);
-    const auto interior = bodies[0].motion.held->interior;
+    const auto interior = bodies[0].motion.carried_water->interior;
     if (!interior) continue;
     const double volume = 0.6 * interior->division.pockets[0].capacity;
     const Eigen::Matrix3d R_WB = box.initial.orientation.toRotationMatrix();
@@ -275,11 +275,11 @@ TEST(Flooding, PocketsPartFullToTheirRimAndNotToTheWallBetweenThem) {
   const auto run_at = [&](double height) {
     motion.state.position.z() = height;
     engine::let_water_run(bodies[0].body, motion.state, 0, 1.0 / 60, {}, motion);
-    return motion.held->pockets;
+    return motion.carried_water->pockets;
   };
   const auto flooded = [](const engine::PocketContent& pocket) { return pocket.flooded; };
   for (int i = 0; i < 3600 && !std::ranges::all_of(run_at(-1), flooded);) ++i;
-  ASSERT_TRUE(std::ranges::all_of(motion.held->pockets, flooded));
+  ASSERT_TRUE(std::ranges::all_of(motion.carried_water->pockets, flooded));
   // Lifted out at once, wall and all: what stood above the wall is lifted, too.
   const std::vector<engine::PocketContent> lifted = run_at(2);
   double whole = 0;
@@ -301,7 +301,7 @@ TEST(Flooding, ATippedBucketScoopsAndKeepsWhatItHolds) {
   EXPECT_GT(simulation.interiors()[0].pockets[0].volume, 0.05);
 }
 
-double lowest_sill(const hydro::TriMesh& mesh_B, const engine::HeldWater& held,
+double lowest_sill(const hydro::TriMesh& mesh_B, const engine::CarriedWater& held,
                    const BodyState& state) {
   double lowest = HUGE_VAL;
   if (!held.interior) return lowest;
@@ -334,19 +334,20 @@ TEST(PocketSearch, AKeptDivisionGivesTheLoadsOfANewSearch) {
                            moving.motion.state.orientation;
       state.position.z() = random.uniform(-0.3, 1.2);
       moving.motion.state = state;
-      const auto before = moving.motion.held;
-      moving.motion.held = engine::divided_for(moving.body, state, state, 0, before);
-      const bool same = before->interior == moving.motion.held->interior;
+      const auto before = moving.motion.carried_water;
+      moving.motion.carried_water = engine::divided_for(moving.body, state, state, 0, before);
+      const bool same = before->interior == moving.motion.carried_water->interior;
       kept += same;
       // Both start dry and only a sea below the sills is compared.
-      engine::Motion fresh{
-          .state = state,
-          .held = engine::dry_pockets(moving.body, state.orientation.toRotationMatrix().row(2))};
+      engine::Motion fresh{.state = state,
+                           .carried_water = engine::dry_pockets(
+                               moving.body, state.orientation.toRotationMatrix().row(2))};
       engine::Motion dry = fresh;
-      auto emptied = std::make_shared<engine::HeldWater>(*moving.motion.held);
+      auto emptied = std::make_shared<engine::CarriedWater>(*moving.motion.carried_water);
       for (engine::PocketContent& content : emptied->pockets) content = {};
-      dry.held = emptied;
-      if (lowest_sill(mesh, *fresh.held, state) < 0 || lowest_sill(mesh, *dry.held, state) < 0)
+      dry.carried_water = emptied;
+      if (lowest_sill(mesh, *fresh.carried_water, state) < 0 ||
+          lowest_sill(mesh, *dry.carried_water, state) < 0)
         continue;
       const hydro::Loads a = engine::water_loads(moving.body, dry, state, 0);
       const hydro::Loads b = engine::water_loads(moving.body, fresh, state, 0);

@@ -63,7 +63,7 @@ void drive(Scenario& scenario) {
   scenario.spec.set_points.push_back({.name = "speed", .initial = 2});
   engine::JointDrive& drive = scenario.spec.joints[0].drive;
   const double torque = load(scenario) * scenario.size;
-  drive.motor = {.mode = engine::JointMotor::Mode::speed, .set_point = 0, .most = torque};
+  drive.motor = {.mode = engine::JointMotor::Mode::speed, .set_point = 0, .largest_effort = torque};
   drive.limits = {{-0.8, 1.1}};
   drive.friction = 0.1 * torque;
 }

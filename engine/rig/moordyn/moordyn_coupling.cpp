@@ -54,10 +54,10 @@ bool MoorDynCoupling::acts_on(BodyId body) const {
 
 void MoorDynCoupling::add_load(BodyId body, const hydro::BodyState& state, double time,
                                hydro::Wrench& load) const {
-  const double part = (time - step_start_) / step_;
+  const double fraction = (time - step_start_) / step_;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (spec_->points[i].body != body) continue;
-    const Vector3d force = forces_[i] + part * (forces_[i] - before_[i]);
+    const Vector3d force = forces_[i] + fraction * (forces_[i] - before_[i]);
     load.force += force;
     load.moment += (state.orientation * spec_->points[i].at).cross(force);
   }
@@ -88,9 +88,9 @@ void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const
   }
   if (stiffness < kHeavyLine) return;
   if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
-  const double part = (time - step_start_) / step_;
-  const auto expected = [part](const Vector3d& now, const Vector3d& before) -> Vector3d {
-    return now + part * (now - before);
+  const double fraction = (time - step_start_) / step_;
+  const auto expected = [fraction](const Vector3d& now, const Vector3d& before) -> Vector3d {
+    return now + fraction * (now - before);
   };
   for (const auto& [i, J] : held) {
     const Vector3d n = J.head<3>(), r = state.orientation * spec_->points[i].at;

@@ -8,10 +8,10 @@ namespace engine {
 
 /// The poses of a body at about the end of a substep, where it has the mean acceleration of the
 /// substep.
-class SubstepWay {
+class SubstepPath {
  public:
   /// @param h   Length of the substep that has led from `before` to `after` [s].
-  SubstepWay(const hydro::BodyState& before, const hydro::BodyState& after, double h);
+  SubstepPath(const hydro::BodyState& before, const hydro::BodyState& after, double h);
 
   /// The state at a time after the end [s], negative before it, with the velocity of the end.
   hydro::BodyState at(double time) const;

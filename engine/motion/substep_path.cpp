@@ -1,15 +1,15 @@
-#include "engine/motion/substep_way.h"
+#include "engine/motion/substep_path.h"
 
 #include "engine/motion/free_motion.h"
 
 namespace engine {
 
-SubstepWay::SubstepWay(const hydro::BodyState& before, const hydro::BodyState& after, double h)
+SubstepPath::SubstepPath(const hydro::BodyState& before, const hydro::BodyState& after, double h)
     : end_(after),
       acceleration_((after.linear_velocity - before.linear_velocity) / h),
       turning_((after.angular_velocity - before.angular_velocity) / h) {}
 
-hydro::BodyState SubstepWay::at(double time) const {
+hydro::BodyState SubstepPath::at(double time) const {
   if (time == 0) return end_;
   hydro::BodyState state = end_;
   state.position += time * (end_.linear_velocity + time / 2 * acceleration_);

@@ -1,4 +1,4 @@
-#include "engine/motion/held_water.h"
+#include "engine/motion/carried_water.h"
 
 #include <fmt/format.h>
 
@@ -33,101 +33,106 @@ hydro::Coefficients pressure_alone(const Body& body) {
 }
 
 /// Puts the water of the specification into the pockets.
-void fill(const Body& body, const Eigen::Matrix3d& R_WB, HeldWater& held) {
+void fill(const Body& body, const Eigen::Matrix3d& R_WB, CarriedWater& carried) {
   const Eigen::Vector3d up_B = R_WB.row(2);
   for (const WaterAtStart& water : body.spec->interior_water) {
     const int pocket =
-        held.interior
-            ? hydro::pocket_under(body.spec->mesh_B, held.interior->division, water.at_B, up_B)
+        carried.interior
+            ? hydro::pocket_under(body.spec->mesh_B, carried.interior->division, water.at_B, up_B)
             : hydro::kSea;
     if (pocket == hydro::kSea)
       throw std::invalid_argument(
           fmt::format("body '{}': there is no pocket at the water inside", body.spec->name));
-    held.pockets[pocket].volume += water.volume;
+    carried.pockets[pocket].volume += water.volume;
   }
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
-    PocketContent& content = held.pockets[i];
+  for (std::size_t i = 0; i < carried.pockets.size(); ++i) {
+    PocketContent& content = carried.pockets[i];
     if (!content.holds()) continue;
-    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::Hull& hull = carried.interior->pockets[i];
     const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume);
     content.surface = {water.level, water.area};
     content.centre_B = R_WB.transpose() * hydro::centroid_of(hull, R_WB, water);
     content.up_B = up_B;
   }
-  held.inertia_B = water_inertia(held.pockets, body.environment.sea->density);
+  carried.inertia_B = water_inertia(carried.pockets, body.environment.sea->density);
 }
 
-bool has_all_pockets(const Body& body, const HeldWater& held) {
-  return held.interior &&
-         hydro::is_convex(hydro::with_lids(body.spec->mesh_B, held.interior->division));
+bool has_all_pockets(const Body& body, const CarriedWater& carried) {
+  return carried.interior &&
+         hydro::is_convex(hydro::with_lids(body.spec->mesh_B, carried.interior->division));
 }
 
-void find_sides(const Body& body, HeldWater& held) {
-  held.openings.clear();
-  held.pumps.clear();
-  if (!held.interior) return;
+void find_sides(const Body& body, CarriedWater& carried) {
+  carried.openings.clear();
+  carried.pumps.clear();
+  if (!carried.interior) return;
   for (const Opening& opening : body.spec->openings) {
     const auto [near, far] = hydro::wall_at(body.spec->mesh_B, opening.at_B).face;
-    const std::vector<int>& pocket_of = held.interior->division.pocket_of_face;
-    held.openings.push_back(
+    const std::vector<int>& pocket_of = carried.interior->division.pocket_of_face;
+    carried.openings.push_back(
         {near < 0 ? hydro::kSea : pocket_of[near], far < 0 ? hydro::kSea : pocket_of[far]});
   }
   const auto pocket_at = [&](const Eigen::Vector3d& at_B) {
-    return hydro::pocket_under(body.spec->mesh_B, held.interior->division, at_B, held.found_up_B);
+    return hydro::pocket_under(body.spec->mesh_B, carried.interior->division, at_B,
+                               carried.found_up_B);
   };
   for (const PumpSpec& pump : body.spec->pumps)
-    held.pumps.push_back({pocket_at(pump.from_B), pump.to_B ? pocket_at(*pump.to_B) : hydro::kSea});
+    carried.pumps.push_back(
+        {pocket_at(pump.from_B), pump.to_B ? pocket_at(*pump.to_B) : hydro::kSea});
 }
 
 }  // namespace
 
-bool HeldWater::holds() const {
+bool CarriedWater::holds() const {
   return std::any_of(pockets.begin(), pockets.end(), [](const auto& p) { return p.holds(); });
 }
 
-bool holds_water(const Motion& motion) { return motion.held && motion.held->holds(); }
+bool holds_water(const Motion& motion) {
+  return motion.carried_water && motion.carried_water->holds();
+}
 
-std::shared_ptr<HeldWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B) {
+std::shared_ptr<CarriedWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B) {
   if (!body.hollow) return nullptr;
-  auto held = std::make_shared<HeldWater>();
-  held->interior = hydro::make_interior(body.spec->mesh_B, up_B);
-  held->found_up_B = up_B;
-  held->known_up_B = {up_B};
-  if (held->interior) held->pockets.resize(held->interior->pockets.size());
-  for (PocketContent& pocket : held->pockets) pocket.id = held->next_id++;
-  find_sides(body, *held);
-  held->has_all = has_all_pockets(body, *held);
-  return held;
+  auto carried = std::make_shared<CarriedWater>();
+  carried->interior = hydro::make_interior(body.spec->mesh_B, up_B);
+  carried->found_up_B = up_B;
+  carried->known_up_B = {up_B};
+  if (carried->interior) carried->pockets.resize(carried->interior->pockets.size());
+  for (PocketContent& pocket : carried->pockets) pocket.id = carried->next_id++;
+  find_sides(body, *carried);
+  carried->has_all = has_all_pockets(body, *carried);
+  return carried;
 }
 
-std::shared_ptr<const HeldWater> water_at_start(const Body& body, const hydro::BodyState& state) {
+std::shared_ptr<const CarriedWater> water_at_start(const Body& body,
+                                                   const hydro::BodyState& state) {
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  const std::shared_ptr<HeldWater> held = dry_pockets(body, R_WB.row(2));
-  if (held) fill(body, R_WB, *held);
-  return held;
+  const std::shared_ptr<CarriedWater> carried = dry_pockets(body, R_WB.row(2));
+  if (carried) fill(body, R_WB, *carried);
+  return carried;
 }
 
-std::shared_ptr<const HeldWater> completed(const Body& body,
-                                           const std::shared_ptr<const HeldWater>& held) {
-  if (!held || held->interior || held->pockets.empty()) return held;
-  auto whole = std::make_shared<HeldWater>(*held);
-  whole->interior = hydro::make_interior(body.spec->mesh_B, held->found_up_B);
+std::shared_ptr<const CarriedWater> completed(const Body& body,
+                                              const std::shared_ptr<const CarriedWater>& carried) {
+  if (!carried || carried->interior || carried->pockets.empty()) return carried;
+  auto whole = std::make_shared<CarriedWater>(*carried);
+  whole->interior = hydro::make_interior(body.spec->mesh_B, carried->found_up_B);
   return whole;
 }
 
 bool fits_water(const Body& body, const Motion& motion) {
-  if (body.hollow != (motion.held != nullptr)) return false;
+  if (body.hollow != (motion.carried_water != nullptr)) return false;
   if (!body.hollow) return true;
-  const auto held = completed(body, motion.held);
-  return held->pockets.size() == (held->interior ? held->interior->pockets.size() : 0);
+  const auto carried = completed(body, motion.carried_water);
+  return carried->pockets.size() == (carried->interior ? carried->interior->pockets.size() : 0);
 }
 
-void settle(const Eigen::Matrix3d& R_WB, HeldWater& held) {
+void settle(const Eigen::Matrix3d& R_WB, CarriedWater& carried) {
   const Eigen::Vector3d up_B = R_WB.row(2);
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
-    PocketContent& content = held.pockets[i];
+  for (std::size_t i = 0; i < carried.pockets.size(); ++i) {
+    PocketContent& content = carried.pockets[i];
     if (content.flooded || !(content.volume > 0)) continue;
-    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::Hull& hull = carried.interior->pockets[i];
     const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume, content.surface);
     content.surface = {water.level, water.area};
     if (up_B.dot(content.up_B) > kKeptMassTurn) continue;
@@ -144,7 +149,9 @@ Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density
 }
 
 const hydro::Hull& sea_hull(const Body& body, const Motion& motion) {
-  return motion.held && motion.held->interior ? motion.held->interior->outside : *body.hull;
+  return motion.carried_water && motion.carried_water->interior
+             ? motion.carried_water->interior->outside
+             : *body.hull;
 }
 
 hydro::Loads sea_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
@@ -157,14 +164,14 @@ hydro::Loads sea_loads(const Body& body, const Motion& motion, const hydro::Body
   return hydro::compute_loads(hull, state, *body.environment.sea, time, coefficients, how);
 }
 
-void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodyState& state,
-                    double time, hydro::Loads& loads) {
+void add_carried_loads(const Body& body, const CarriedWater& carried, const hydro::BodyState& state,
+                       double time, hydro::Loads& loads) {
   const hydro::Sea& sea = *body.environment.sea;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
-    const PocketContent& content = held.pockets[i];
+  for (std::size_t i = 0; i < carried.pockets.size(); ++i) {
+    const PocketContent& content = carried.pockets[i];
     if (!content.holds()) continue;
-    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::Hull& hull = carried.interior->pockets[i];
     if (content.flooded) {
       loads +=
           hydro::compute_loads(hull, state, sea, time, pressure_alone(body), body.spec->summation);
@@ -175,14 +182,15 @@ void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodySt
   }
 }
 
-double held_energy(const Body& body, const HeldWater& held, const hydro::BodyState& state) {
+double carried_energy(const Body& body, const CarriedWater& carried,
+                      const hydro::BodyState& state) {
   const hydro::Sea& sea = *body.environment.sea;
   const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
   double energy = 0;
-  for (std::size_t i = 0; i < held.pockets.size(); ++i) {
-    const PocketContent& content = held.pockets[i];
+  for (std::size_t i = 0; i < carried.pockets.size(); ++i) {
+    const PocketContent& content = carried.pockets[i];
     if (!content.holds()) continue;
-    const hydro::Hull& hull = held.interior->pockets[i];
+    const hydro::Hull& hull = carried.interior->pockets[i];
     if (content.flooded) {
       energy += hydro::buoyancy_energy(hull, state, sea);
     } else {

@@ -41,7 +41,7 @@ struct PocketContent {
 };
 
 /// The pockets of a body and their water. It is never changed, but replaced.
-struct HeldWater {
+struct CarriedWater {
   std::shared_ptr<const hydro::Interior> interior;        ///< Null: the body has no pocket.
   Eigen::Vector3d found_up_B = Eigen::Vector3d::UnitZ();  ///< The vertical for which it was found.
   std::vector<Eigen::Vector3d> known_up_B;                ///< Verticals for which it is right.
@@ -60,19 +60,19 @@ struct HeldWater {
 bool holds_water(const Motion& motion);
 
 /// The pockets of a body in the attitude `up_B`, dry; null for a body that cannot have any.
-std::shared_ptr<HeldWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B);
+std::shared_ptr<CarriedWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B);
 
 /// The pockets of a body at its start, with its water.
-std::shared_ptr<const HeldWater> water_at_start(const Body& body, const hydro::BodyState& state);
+std::shared_ptr<const CarriedWater> water_at_start(const Body& body, const hydro::BodyState& state);
 
 /// The same with the interior that the bytes of a state leave out.
-std::shared_ptr<const HeldWater> completed(const Body& body,
-                                           const std::shared_ptr<const HeldWater>& held);
+std::shared_ptr<const CarriedWater> completed(const Body& body,
+                                              const std::shared_ptr<const CarriedWater>& carried);
 /// True if the water may be that of the body.
 bool fits_water(const Body& body, const Motion& motion);
 
 /// Updates the surfaces, and the places of masses of which the body has turned far since.
-void settle(const Eigen::Matrix3d& R_WB, HeldWater& held);
+void settle(const Eigen::Matrix3d& R_WB, CarriedWater& carried);
 
 /// W of the pockets' water, of a density [kg/m^3].
 Matrix6d water_inertia(const std::vector<PocketContent>& pockets, double density);
@@ -87,11 +87,11 @@ hydro::Loads sea_loads(const Body& body, const Motion& motion, const hydro::Body
 
 /// Adds what the water in the pockets does to the body in a state: that of flooded ones to the
 /// loads of the sea.
-void add_held_loads(const Body& body, const HeldWater& held, const hydro::BodyState& state,
-                    double time, hydro::Loads& loads);
+void add_carried_loads(const Body& body, const CarriedWater& carried, const hydro::BodyState& state,
+                       double time, hydro::Loads& loads);
 
 /// Potential energy of the sea on flooded pockets and of the water in the others, with the still
 /// water level as its zero [J].
-double held_energy(const Body& body, const HeldWater& held, const hydro::BodyState& state);
+double carried_energy(const Body& body, const CarriedWater& carried, const hydro::BodyState& state);
 
 }  // namespace engine
