@@ -377,9 +377,8 @@ std::shared_ptr<CarriedWater> run_water(const Body& body, const SubstepPath& pat
 
 void let_water_run(const Body& body, const hydro::BodyState& before, double time, double h,
                    const std::vector<double>& rates, Motion& motion) {
-  if (!motion.carried_water || (!motion.carried_water->holds() && !may_be_wet(body, motion.state)))
-    return;
   const std::shared_ptr<const CarriedWater> old = motion.carried_water;
+  if (!old || (!old->holds() && !may_be_wet(body, motion.state))) return;
   motion.carried_water = divided_for(body, before, motion.state, time, old);
   const SubstepPath path(before, motion.state, h);
   if (may_run(body, *motion.carried_water, path, rates, h)) {
