@@ -10,6 +10,7 @@
 #include "engine/base/body_check.h"
 #include "engine/base/constants.h"
 #include "engine/base/stopwatch.h"
+#include "engine/contacts/bed_suction.h"
 #include "engine/motion/locks.h"
 #include "engine/motion/water_coupling.h"
 #include "engine/record/time_book.h"
@@ -60,6 +61,7 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig
     moving.push_back({.id = id, .body = std::move(body), .motion = std::move(motion)});
     if (rig.machines().drives(id)) moving.back().machines = &rig.machines();
     moving.back().set_points = &rig.set_points();
+    if (spec.suction && moving.back().body.movable) moving.back().motion.suction.emplace();
   }
   return moving;
 }
@@ -120,6 +122,7 @@ Simulation::Impl::Impl(SimulationSpec description)
               .tolerance = spec.integrator.tolerance,
               .stop = &stop},
       stepper(context, spec.step) {
+  check_suction(spec);
   for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
   errors.joints.resize(spec.joints.size());
   if (spec.sea && spec.water) water.emplace(spec);
@@ -181,6 +184,8 @@ void Simulation::Impl::accept_step(const std::vector<Overlap>& overlaps) {
   errors.add(overlaps);
   if (water) water->end_step(steps, bodies, times.water());
   ++steps;
+  if (spec.suction)
+    advance_suction(*spec.suction, stepper.contact_forces(), time(), spec.step, bodies);
   errors.add(world.frames_of_joints(), states, time());
 }
 
@@ -217,14 +222,9 @@ void Simulation::Impl::restore(const SimulationState::Data& data) {
         fmt::format("the state is that of another scene: it has {} bodies, the simulation {}",
                     data.bodies.size(), bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!fits_memory(bodies[i].body, data.bodies[i].motion))
-      throw std::invalid_argument(
-          fmt::format("the state is that of another scene: body '{}' has another memory of waves",
-                      spec.bodies[i].name));
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!fits_water(bodies[i].body, data.bodies[i].motion))
+    if (const char* difference = misfit(bodies[i], data.bodies[i].motion))
       throw std::invalid_argument(fmt::format(
-          "the state is that of another scene: body '{}' has other pockets", spec.bodies[i].name));
+          "the state is that of another scene: body '{}' has {}", spec.bodies[i].name, difference));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies[i].motion = data.bodies[i].motion;
     bodies[i].motion.carried_water = completed(bodies[i].body, data.bodies[i].motion.carried_water);

@@ -142,9 +142,10 @@ void visit(auto& a, std::shared_ptr<const CarriedWater>& carried) {
   visit(a, water);
   carried = water ? std::make_shared<const CarriedWater>(*std::move(water)) : nullptr;
 }
+void visit(auto& a, Suction& s) { visit_all(a, s.bond, s.force, s.place_B, s.into_bed_B); }
 void visit(auto& a, Motion& m) {
   visit_all(a, m.state, m.wake, m.rotors_B, m.added_B, m.memory, m.water, m.carried_water,
-            m.accelerations, m.constrained, m.load_acceleration_W, m.acceleration_W,
+            m.suction, m.accelerations, m.constrained, m.load_acceleration_W, m.acceleration_W,
             m.longest_after_impact, m.work);
 }
 void visit(auto& a, Pull& p) { visit_all(a, p.at_B, p.to_W, p.rate); }

@@ -162,6 +162,9 @@ BuiltScene put_together(const scene::Scene& scene) {
   check_ground(spec.ground, log);
   spec.ground_friction = scene.ground_friction;
   spec.ground_restitution = scene.ground_restitution;
+  if (scene.suction)
+    spec.suction =
+        engine::BedSuction{.pressure = scene.suction->pressure, .time = scene.suction->time};
   build_bodies(built, log);
   for (const scene::Joint& joint : scene.joints) spec.joints.push_back(build_joint(scene, joint));
   put_afloat(built.centers_of_mass, spec, log);

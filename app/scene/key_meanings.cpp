@@ -201,6 +201,15 @@ constexpr auto kMeanings = std::to_array<Meaning>({
      "those of `bodies[].mesh`."},
     {"ground.friction", "Coefficient of friction, as `bodies[].friction`."},
     {"ground.restitution", "Coefficient of restitution, as `bodies[].restitution`."},
+    {"ground.suction",
+     "A soft bed: it holds a body that lies on it and is pulled. Without this block a body lifts "
+     "off at once. The load is in `applied` of the log of forces."},
+    {"ground.suction.pressure",
+     "Largest fall of the pressure below a body; over the area of its footprint it is the force "
+     "that frees it at once. From about 5e3 in loose sand to 5e4 in stiff clay."},
+    {"ground.suction.time",
+     "Time T in which the bond is lost. A pull of f over the weight in water frees a footprint of "
+     "area A after T (p A/f - 1)."},
     {"contacts[].bodies",
      "The two bodies, which no joint connects; `world` stands for the ground. Each pair may be "
      "given once."},

@@ -52,11 +52,13 @@ struct GroundBlock {
   Ground ground;
   double friction = Scene().ground_friction;
   double restitution = Scene().ground_restitution;
+  std::optional<BedSuction> suction;
 };
 
 void read(MapReader& map, GroundBlock& block) {
   read(map, block.ground);
   read_surface(map, block.friction, block.restitution);
+  map.block("suction", block.suction);
 }
 
 /// Adds a fault for each name of a body that there is not. `list` is the path of the list.
@@ -100,9 +102,11 @@ void check_waves(MapReader& map, const Scene& scene) {
     map.fault("water.surface", "waves need gravity, which is 0 in this scene");
 }
 
-/// Refuses lines and machines under ODE's own step, which does not know them.
+/// Refuses lines, machines and suction under ODE's own step, which does not know them.
 void check_method(MapReader& map, const Scene& scene) {
   if (scene.integrator.method != Integrator::Method::ode) return;
+  if (scene.suction)
+    map.fault("integrator.method", "method ode knows no ground.suction; expected split");
   for (const char* list : {"springs", "ropes", "moorings", "propellers", "rudders", "sails"})
     if (map.has(list))
       return map.fault("integrator.method",
@@ -279,6 +283,7 @@ void read(MapReader& map, Scene& scene) {
   scene.ground = std::move(ground.ground);
   scene.ground_friction = ground.friction;
   scene.ground_restitution = ground.restitution;
+  scene.suction = ground.suction;
   Body prototype;
   map.block("hydro", prototype.hydro);
   map.blocks("bodies", scene.bodies, prototype);

@@ -52,6 +52,7 @@ void read_pair(MapReader& map, std::array<std::string, 2>& bodies);
 /// Reads `friction` and `restitution` of a surface.
 void read_surface(MapReader& map, double& friction, double& restitution);
 void read(MapReader& map, Contact& contact);
+void read(MapReader& map, BedSuction& suction);
 /// Checks that contacts are given for pairs that can touch, once for each.
 void check_contacts(MapReader& map, const Scene& scene);
 /// Reads a direction and gives it unit length; without the key it keeps its value. @return true if

@@ -50,6 +50,11 @@ void read_surface(MapReader& map, double& friction, double& restitution) {
   map.optional("restitution", restitution, between(0, 1));
 }
 
+void read(MapReader& map, BedSuction& suction) {
+  map.required("pressure", suction.pressure, not_negative("Pa"));
+  map.required("time", suction.time, positive("s"));
+}
+
 void check_contacts(MapReader& map, const Scene& scene) {
   std::map<std::pair<std::string, std::string>, std::size_t> first_uses;
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {

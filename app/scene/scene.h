@@ -17,6 +17,12 @@
 #include "hydro/air.h"
 
 /// @file
+/// A soft bed: `ground.suction`.
+struct BedSuction {
+  double pressure = 0;  ///< Largest fall of pressure below a body [Pa], >= 0.
+  double time = 0;      ///< Time in which its bond is lost [s], > 0.
+};
+
 /// A scene as its file describes it: each block has a struct, each key a field, and each value is
 /// checked by itself. Lengths, masses and times are in SI; an angle whose key ends in `_deg` is
 /// stored in radians. Meshes are named, not loaded; app/assembly loads them and derives the rest.
@@ -71,6 +77,7 @@ struct Scene {
   Ground ground;                      ///< Sea floor or shore.
   double ground_friction = 0.5;       ///< Coulomb's µ [-].
   double ground_restitution = 0;      ///< Coefficient of restitution [-].
+  std::optional<BedSuction> suction;  ///< None: the ground holds nothing that is pulled.
   std::vector<Body> bodies;           ///< In the order of the file.
   std::vector<Joint> joints;          ///< In the order of the file.
   std::vector<Contact> contacts;      ///< Values of single pairs.

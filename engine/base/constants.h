@@ -128,6 +128,13 @@ inline constexpr double kFrequencyKept = 0.9;
 /// 17,000 rad/s flies off at 25 m/s.
 inline constexpr double kLargestTrendTurn = 1;
 
+// ── Suction of the bed (bed_suction.h) ────────────────────────────────────────────
+
+/// Time within which a body meets the ground on which it has lain [s].
+inline constexpr double kLainTime = 0.1;
+/// Width of a footprint over its length, below which it is an edge [-].
+inline constexpr double kFlatFootprint = 1e-6;
+
 // ── Water in pockets (carried_water.h, pocket_search.h) ──────────────────────────
 
 /// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 8°.

@@ -149,6 +149,12 @@ struct MeshGround {
 /// The ground; `monostate`: there is none.
 using Ground = std::variant<std::monostate, PlaneGround, MeshGround>;
 
+/// The suction by which a soft bed holds what lies on it (contacts/bed_suction.h).
+struct BedSuction {
+  double pressure = 0;  ///< Largest fall of pressure below a body [Pa], >= 0.
+  double time = 1;      ///< T of (E41) [s], > 0.
+};
+
 /// Friction and restitution of one pair of bodies, in place of the values that follow from the
 /// bodies' own.
 struct ContactSpec {
@@ -187,6 +193,7 @@ struct SimulationSpec {
   Ground ground;                       ///< Sea floor or shore.
   double ground_friction = kFriction;  ///< Coulomb's µ of the ground [-], >= 0.
   double ground_restitution = 0;       ///< Coefficient of restitution of the ground [-], 0 … 1.
+  std::optional<BedSuction> suction;   ///< None: the ground holds nothing that is pulled.
   std::vector<BodySpec> bodies;        ///< A BodyId is an index in these.
   std::vector<JointSpec> joints;       ///< Joints between bodies.
   std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.

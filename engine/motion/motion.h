@@ -5,6 +5,7 @@
 
 #include "engine/motion/acceleration_history.h"
 #include "engine/motion/carried_water.h"
+#include "engine/motion/suction.h"
 #include "engine/motion/wave_memory.h"
 #include "engine/motion/work_record.h"
 
@@ -29,6 +30,7 @@ struct Motion {
   std::optional<WaveMemory> memory;                   ///< Only for a body that radiates waves.
   std::optional<WaterMemory> water;                   ///< Only for a hull in simulated water.
   std::shared_ptr<const CarriedWater> carried_water;  ///< Null: the body cannot have pockets.
+  std::optional<Suction> suction;                     ///< Only on a bed that has any.
   AccelerationHistory accelerations;                  ///< Empty after contacts and other jumps.
   bool constrained = false;  ///< Joints or contacts acted in the last substep.
   /// Acceleration of the centre of mass by loads alone in the last constrained substep, in W

@@ -32,12 +32,20 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
     loads.push_back(wrench(load, state, time, moving.set_points));
   for (const AppliedLoad& load : moving.inputs.loads)
     loads.push_back(wrench(load, state, time, moving.set_points));
+  if (moving.motion.suction) loads.push_back(wrench(*moving.motion.suction, state));
   if (moving.inputs.pull) {
     const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
     loads.push_back(
         wrench(*moving.inputs.pull, inertia_W(moving.body, moving.motion, R_WB), state));
   }
   return loads;
+}
+
+const char* misfit(const MovingBody& moving, const Motion& motion) {
+  if (!fits_memory(moving.body, motion)) return "another memory of waves";
+  if (!fits_water(moving.body, motion)) return "other pockets";
+  if (motion.suction.has_value() != moving.motion.suction.has_value()) return "another bed";
+  return nullptr;
 }
 
 std::vector<double> pump_rates(const MovingBody& moving, double time) {

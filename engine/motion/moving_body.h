@@ -52,6 +52,9 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
   return id != kWorld && bodies[id].body.movable;
 }
 
+/// What a body has that a motion lacks, or the other way round; null if the motion fits the body.
+const char* misfit(const MovingBody& moving, const Motion& motion);
+
 /// The loads of the water, and of the air, on a body in a state that may be wet or feels the air.
 /// @param motion   Tells the water in its pockets and its wake.
 hydro::Loads water_loads(const Body& body, const Motion& motion, const hydro::BodyState& state,
@@ -69,7 +72,7 @@ inline hydro::Wrench find_loads(MovingBody& moving, const hydro::BodyState& stat
 /// Makes the cache that of a body whose water_state is this one.
 void restore_cache(MovingBody& moving, const std::optional<hydro::BodyState>& water_state);
 
-/// The loads of the scene and of the program on the body in a state.
+/// The loads of the scene, of the bed's suction and of the program on the body in a state.
 std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::BodyState& state,
                                          double time);
 

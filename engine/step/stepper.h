@@ -30,6 +30,8 @@ class Stepper {
   /// @return the overlaps in its substeps. @throws MotionFault, OdeFault
   std::vector<Overlap> advance(double time);
 
+  /// Forces of contacts at the end of the last step; their pairs ascend.
+  const std::vector<ContactForce>& contact_forces() const { return contacts_.forces; }
   StepperState state() const;
   /// True if the state has as many energy ranges as there are limiters.
   bool fits(const StepperState& state) const { return state.ranges.size() == limiters_.size(); }
