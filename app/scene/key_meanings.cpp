@@ -18,9 +18,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"plimsoll", "Version of the scene format."},
     {"title", "Title for reports and tools. It has no effect on the run."},
     {"include",
-     "Scene files whose keys this scene has, too. [Keys of later "
-     "files](#files-that-a-scene-includes) "
-     "go over those of earlier ones, and those of the scene over all."},
+     "Scene files whose keys this scene has, too. [Later files override earlier "
+     "ones](#files-that-a-scene-includes), and the scene overrides them all."},
     {"variables", "Numbers and texts for `${…}` [in values](#variables)."},
     {"variables.NAME", "Value of `${NAME}`; it may use variables before it."},
     {"duration", "Simulated time. With 0 the run consists of the initial state."},

@@ -120,8 +120,8 @@ inline constexpr double kUnmatchedAddedMass = 1e-4;
 
 /// Error of extrapolation, over the largest acceleration, of a motion that is resolved [-].
 inline constexpr double kResolved = 0.25;
-/// Factor of the dominant frequency in each substep [-]. It must outlast half a period, the time
-/// between two largest accelerations.
+/// Decay of the remembered dominant frequency in a substep [-]. Smaller: it does not bridge the
+/// half period between two peaks of acceleration.
 inline constexpr double kFrequencyKept = 0.9;
 /// Turn in a substep beyond which accelerations in body axes tell no trend [rad]. Larger: those of
 /// a body that turns a whole number of times seem to follow one another, and a shell of 0.2 mm at
@@ -168,15 +168,14 @@ inline constexpr int kMostLinearisations = 6;  ///< Linearisations of the loads 
 /// Energy that a linearisation misses, over the least so far, after which it is the last [-].
 inline constexpr double kNewtonDiverged = 1e4;
 inline constexpr int kFullNewtonSteps = 3;  ///< Later linearisations take half steps.
-/// Change of the velocities by a sweep, as the root of its energy over that of the motion, after
-/// which an island under joints or lines is solved [-]; one under contacts alone; and a heap, of
-/// more contacts than take Newton steps. Points of contact that ask for different speeds while
-/// friction holds them together come nearer to each other only slowly, and where one is about to
-/// slide or to lift off, Newton steps lead around the solution at some 1e-8.
+// Change of the velocities by a sweep, as the root of its energy over that of the motion [-]:
+/// An island under joints or lines is solved below it. Larger: joints drift.
 inline constexpr double kSolvedIsland = 1e-9;
+/// One under contacts alone is. Smaller: Newton steps alternate about a point that begins to slide.
 inline constexpr double kSolvedContacts = 1e-6;
+/// A heap, of more contacts than take Newton steps, is. Smaller: it takes all of its sweeps.
 inline constexpr double kSolvedHeap = 1e-4;
-/// The same, beyond which it counts as not solved.
+/// An island counts as not solved above it.
 inline constexpr double kToleratedResidual = 1e-3;
 inline constexpr int kMostSweeps = 40;  ///< Sweeps for one linearisation of the loads.
 /// The same of contacts alone, the miss of which is not accepted yet.
@@ -220,11 +219,11 @@ inline constexpr double kHeavyLine = 2;
 /// away [rad].
 inline constexpr double kResolvedLine = 0.7;
 inline constexpr double kUnresolvedLine = 2;
-/// Tension found, over that for which a line is held sideways, after which it is held for more [-].
-inline constexpr double kHeldTension = 1.5;
+/// Tension found, over that for which lateral inertia was added, after which more is added [-].
+inline constexpr double kTensionExcess = 1.5;
 /// Solutions of an island for that in a substep. Fewer: ropes throw a body a millionth as heavy as
 /// the one that it holds.
-inline constexpr int kMostHeldSolves = 4;
+inline constexpr int kMostTensionSolves = 4;
 /// Compliance of a stop or motor, times the mass that it holds, over a substep [-].
 inline constexpr double kRowCompliance = 1e-9;
 
@@ -249,8 +248,8 @@ inline constexpr std::size_t kMostImpactPairs = 256;
 /// The same of a group under joints. Larger: bodies that start inside each other under joints that
 /// contradict each other may be thrown with more than their overlaps hold.
 inline constexpr std::size_t kMostJointedImpactPairs = 4;
-inline constexpr int kMostImpacts = 4;     ///< Impacts in a step of a group that end a substep.
-inline constexpr int kMostOnsetLooks = 4;  ///< Collisions to find the onset of an impact.
+inline constexpr int kMostImpacts = 4;       ///< Impacts in a step of a group that end a substep.
+inline constexpr int kMostOnsetQueries = 4;  ///< Collisions to find the onset of an impact.
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
 /// Work that the reactions of an island that is not solved may do in a substep, over the energy of
@@ -266,10 +265,10 @@ inline constexpr int kMostPassings = 16;
 /// Boxes and collisions of a step, per body of a group, by which passings are looked for. More:
 /// bodies that skim a rough ground for metres in a step, or that spin thousands of times in one,
 /// cost more, and fewer of their contacts are missed.
-inline constexpr int kMostPassingLooks = 2048;
+inline constexpr int kMostPassingQueries = 2048;
 /// Motion between two places in which bodies are collided to find a passing, and the error of its
 /// onset, over half the thinner body's thickness [-]. Beyond 1 a body may pass between two places.
-inline constexpr double kPassingLook = 0.5;
+inline constexpr double kPassingInterval = 0.5;
 inline constexpr double kPassingError = 1.0 / 32;
 /// Depth of a contact at rest, over the thickness of the thinner body [-]. Larger: stacks sink in;
 /// smaller: bodies that turn on each other lose contact within a substep, and meet anew.

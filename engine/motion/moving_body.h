@@ -52,7 +52,7 @@ inline bool can_move(const std::vector<MovingBody>& bodies, BodyId id) {
   return id != kWorld && bodies[id].body.movable;
 }
 
-/// What a body has that a motion lacks, or the other way round; null if the motion fits the body.
+/// Difference by which a motion does not fit a body; null if it fits.
 const char* misfit(const MovingBody& moving, const Motion& motion);
 
 /// The loads of the water, and of the air, on a body in a state that may be wet or feels the air.

@@ -77,8 +77,8 @@ Vector3d JointCoordinate::place_W(const JointBodies& now) const {
 }
 
 bool needs_rows(const JointDrive& drive, bool stiff) {
-  const bool held = drive.motor && drive.motor->mode != Mode::effort;
-  return held || drive.limits || drive.friction > 0 || stiff;
+  const bool steered = drive.motor && drive.motor->mode != Mode::effort;
+  return steered || drive.limits || drive.friction > 0 || stiff;
 }
 
 double drive_load(const JointDrive& drive, const SetPoints& set_points, double time, double q,

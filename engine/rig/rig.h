@@ -103,7 +103,7 @@ class Rig {
   void find_rows(const std::vector<MovingBody>& all, Island& island, double time, double h);
   /// False if the tensions that were found are so much larger than those of (E25) that rows are to
   /// be set and solved again.
-  static bool is_held(const Island& island);
+  static bool bounds_tensions(const Island& island);
   /// Sets the places of the joints whose reactions the solver has found.
   void find_reactions(const std::vector<MovingBody>& all, Island& island) const;
   /// Impulses that the solver has found in accepted substeps of a group.

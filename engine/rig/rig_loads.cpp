@@ -317,9 +317,9 @@ void Rig::find_rows(const std::vector<MovingBody>& all, Island& island, double t
       b->midpoint.rig_inertia.reset();
 }
 
-bool Rig::is_held(const Island& island) {
+bool Rig::bounds_tensions(const Island& island) {
   return std::ranges::all_of(island.rows, [](const ForceRow& row) {
-    return row.force <= kHeldTension * row.tension_bound || row.force * row.sideways < kStiffLine;
+    return row.force <= kTensionExcess * row.tension_bound || row.force * row.sideways < kStiffLine;
   });
 }
 

@@ -113,7 +113,7 @@ class GroupStepper {
   bool is_alone_;
   bool is_part_ = false;     ///< The group is a part of one that was divided.
   const double whole_step_;  ///< The scene's [s].
-  double step_;      ///< The same, or, of a single body, the part of it that is advanced [s].
+  double step_;      ///< Scene's step; for a single body, the interval that is advanced [s].
   double shortest_;  ///< Substep that is not halved any more for its energy or error [s].
   Impacts impacts_;
   World::Contacts contacts_;

@@ -65,7 +65,7 @@ Impacts::Impacts(const StepContext& context, const Group& group, const std::vect
       begun_(kImpactBegun * first_),
       step_(step),
       slow_(impact_speed(context.gravity)),
-      queries_(kMostPassingLooks * static_cast<int>(group.bodies.size())) {
+      queries_(kMostPassingQueries * static_cast<int>(group.bodies.size())) {
   std::set_intersection(group.near.begin(), group.near.end(), touching.begin(), touching.end(),
                         std::back_inserter(touching_));
 }
@@ -217,7 +217,7 @@ std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& 
 std::optional<double> Impacts::onset(const Pair& pair, double time) const {
   const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
   std::optional<double> found;
-  for (int i = 0; i < kMostOnsetLooks; ++i) {
+  for (int i = 0; i < kMostOnsetQueries; ++i) {
     std::vector<std::pair<BodyId, hydro::BodyState>> places;
     for (const BodyId id : {pair.first, pair.second})
       if (can_move(context_->bodies, id)) places.emplace_back(id, expected_state(body(id), time));

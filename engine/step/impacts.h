@@ -23,10 +23,10 @@
 ///
 /// Bodies that would pass through each other in the substep (passing.h) end it at their onset, too,
 /// and where kFirstAfterImpact τ would still take them through, the next one is shorter, so that
-/// they are found in contact with less than half the thinner body's thickness. A substep that ends
-/// so early that others would pass in it, although the whole one would have shown their contact, is
-/// searched again. They do in heaps as elsewhere, and at most kMostPassings times in a step per
-/// body of the group, which are looked for with at most kMostPassingLooks per body.
+/// they are found in contact with less than half the thinner body's thickness. Shortening a
+/// substep can hide a contact that the full substep would have found; the shortened one is
+/// therefore searched again for passings. Each body may end at most kMostPassings substeps of a
+/// step this way, with at most kMostPassingQueries queries.
 ///
 /// Where impacts shorten the substeps of a group, it is divided into the groups of the bodies that
 /// touch, or meet, in the time ahead, and each of these takes substeps of its own. Two bodies are

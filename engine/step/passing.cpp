@@ -34,7 +34,7 @@ class SweptPair {
   }
 
   /// False if the bodies cannot touch between two times.
-  bool may_touch(double t0, double t1) const {
+  bool paths_meet(double t0, double t1) const {
     return world_.meets(large_, motion_.state(large_, t1), swept(t0, t1));
   }
 
@@ -63,18 +63,19 @@ class SweptPair {
   OrientedBox swept(double t0, double t1) const {
     const hydro::BodyState seen_at = motion_.state(large_, t1);
     const Pose start = pose(t0, seen_at), end = pose(t1, seen_at);
-    const Eigen::Vector3d middle = (start.center + end.center) / 2, way = end.center - start.center;
+    const Eigen::Vector3d middle = (start.center + end.center) / 2,
+                          path = end.center - start.center;
     const double bend = 2 * (pose((t0 + t1) / 2, seen_at).center - middle).norm();
     const double turn = std::min(2.0, motion_.turning * (t1 - t0)) * size_of(small_) / 2;
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-    if (way.norm() > 0) {
-      axes.col(0) = way.normalized();
+    if (path.norm() > 0) {
+      axes.col(0) = path.normalized();
       axes.col(1) = axes.col(0).unitOrthogonal();
       axes.col(2) = axes.col(0).cross(axes.col(1));
     }
     Eigen::Vector3d half = half_along(axes, start).cwiseMax(half_along(axes, end)) +
                            Eigen::Vector3d::Constant(bend + turn);
-    half.x() += way.norm() / 2;
+    half.x() += path.norm() / 2;
     return {.center_W = middle, .axes_W = axes, .sizes = 2 * half};
   }
 
@@ -99,13 +100,13 @@ double bisected(const SweptPair& pair, const PairMotion& motion, double t0, doub
 
 std::optional<double> unseen_contact(World& world, const PairMotion& motion, int& queries) {
   const SweptPair pair(world, motion);
-  if (!pair.may_touch(0, motion.h)) return std::nullopt;
+  if (!pair.paths_meet(0, motion.h)) return std::nullopt;
   std::vector<std::pair<double, double>> open = {{0, motion.h}};  // the earliest interval is last
   for (; !open.empty() && queries > 0; --queries) {
     const auto [t0, t1] = open.back();
     open.pop_back();
-    if (!pair.may_touch(t0, t1)) continue;
-    if (motion.speed * (t1 - t0) > kPassingLook * motion.reach) {
+    if (!pair.paths_meet(t0, t1)) continue;
+    if (motion.speed * (t1 - t0) > kPassingInterval * motion.reach) {
       const double middle = (t0 + t1) / 2;
       open.emplace_back(middle, t1);
       open.emplace_back(t0, middle);

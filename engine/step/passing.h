@@ -18,17 +18,17 @@
 /// to t₁, no more than the box along its way that holds its shape at both, with margins for the
 /// turn and for the bend of the way. Where this box meets nothing of the larger body the bodies do
 /// not touch; elsewhere the interval is halved, the earlier half first, down to a motion of
-/// kPassingLook reach. At its end the bodies are collided, and where they close, the time of first
-/// contact follows by bisection to a motion of kPassingError reach. Where they still close half a
-/// reach after the end, the contacts of the next substep stop them. Bodies that close halfway are
-/// no exception: what they meet in the second half depends on that contact. A way past everything
-/// costs one such box, one through a wall about 40. Beyond that one, all searches of a step have
-/// kMostPassingLooks boxes and collisions per body.
+/// kPassingInterval reach. At its end the bodies are collided, and where they close, the time of
+/// first contact follows by bisection to a motion of kPassingError reach. Where they still close
+/// half a reach after the end, the contacts of the next substep stop them. Pairs that already close
+/// halfway are treated alike, since that contact decides the second half. A free flight costs one
+/// query, a box or a collision; a hit costs about 40. Beyond the first one, all searches of a step
+/// have kMostPassingQueries per body.
 ///
 /// Validity. A body shows its surface while it moves by its own thickness, so no passing of bodies
 /// that are thicker than the reach is missed; two hulls whose walls are far thinner than the boxes
 /// around them may pass through each other's walls, and so may corners that cut by less than
-/// kPassingLook reach.
+/// kPassingInterval reach.
 
 namespace engine {
 

@@ -80,10 +80,10 @@ void expect_added_mass(SubstepBody& b, double end, double h) {
 bool ends_as_expected(const SubstepBody& b) {
   const Environment& environment = b.body().environment;
   if (environment.uneven() || b.end.carried_water) return false;
-  const double off = pose_distance(b.body(), b.added_at, b.end.state);
-  const double way = dip_distance(b.body(), b.start, b.added_at);
+  const double error = pose_distance(b.body(), b.added_at, b.end.state);
+  const double path = dip_distance(b.body(), b.start, b.added_at);
   const double change = scaled_change(b.body(), b.added_B, b.added_B - b.halfway.added());
-  return change > 0 && change * off <= kForeseenAddedMass * way;
+  return change > 0 && change * error <= kForeseenAddedMass * path;
 }
 
 /// The load of the rows of an island on a body: moment about the centre of mass, in W.
@@ -153,9 +153,9 @@ bool is_unpredictable(const SubstepBody& b, double h) {
   const AccelerationHistory& history = b.halfway.accelerations;
   const Eigen::Matrix3d R_BW = b.midpoint.R_WB.transpose();
   const double radius = b.body().radius;
-  const Vector6d off = rotate(R_BW, b.update.change) - h * history.expected(h / 2);
+  const Vector6d error = rotate(R_BW, b.update.change) - h * history.expected(h / 2);
   const Vector6d after = b.midpoint.after + b.update.change;
-  return scaled_norm(off, radius) > kAbruptLoad * scaled_norm(after, radius);
+  return scaled_norm(error, radius) > kAbruptLoad * scaled_norm(after, radius);
 }
 
 /// True if the loads halfway were those of a dry body.
@@ -245,10 +245,10 @@ void conclude(const Island& island, SubstepBody& b, double time, double h) {
 
 /// Solves an island with its rows, again where they turn out to pull much harder.
 void solve_constrained(const StepContext& context, Island& island, double time, double h) {
-  for (int i = 0; i < kMostHeldSolves; ++i) {
+  for (int i = 0; i < kMostTensionSolves; ++i) {
     context.rig.find_rows(context.bodies, island, time, h);
     constrained_update(context, island, time, h);
-    if (Rig::is_held(island)) break;
+    if (Rig::bounds_tensions(island)) break;
   }
   context.rig.find_reactions(context.bodies, island);
 }
@@ -273,9 +273,9 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
   }
   context.rig.find_loads(context.bodies, island, time + h / 2, h);
   // Updates are repeated until the added mass that they are taken with is that of the final pose.
-  const int most = constrained ? kMostConstrainedPasses : kMostFreePasses;
+  const int limit = constrained ? kMostConstrainedPasses : kMostFreePasses;
   auto match = AddedMassMatch::distant;
-  for (int pass = 1; pass <= most && match != AddedMassMatch::equal; ++pass) {
+  for (int pass = 1; pass <= limit && match != AddedMassMatch::equal; ++pass) {
     for (SubstepBody* b : island.bodies) {
       const bool projects = !constrained && b->body().has_added_mass;
       b->midpoint = make_midpoint(b->body(), b->halfway, b->added_B,
@@ -299,7 +299,7 @@ void take_substep(const StepContext& context, Island& island, double time, doubl
     for (SubstepBody* b : island.bodies) finish(island, *b, h);
     if (constrained) close_joints(context, island);
     if (match == AddedMassMatch::near) break;
-    match = match_added_mass(island, time + h, pass == most);
+    match = match_added_mass(island, time + h, pass == limit);
   }
   if (constrained) stop_joints(context, island, h);
   for (SubstepBody* b : island.bodies) conclude(island, *b, time + h, h);

@@ -101,9 +101,9 @@ bool overshoots_surface(const Body& body, const hydro::BodyState& before,
                         const hydro::BodyState& after, double h) {
   const SurfaceCrossing c = surface_crossing(body, before, after);
   // Not by the velocity at the end, which the water slows that moves with the body there.
-  const Eigen::Vector3d way = after.position - before.position;
-  const Eigen::Vector3d thrown = way - h * before.linear_velocity;
-  return c.meets && std::min(way.norm(), thrown.norm()) > kLargestOvershoot * c.height;
+  const Eigen::Vector3d path = after.position - before.position;
+  const Eigen::Vector3d thrown = path - h * before.linear_velocity;
+  return c.meets && std::min(path.norm(), thrown.norm()) > kLargestOvershoot * c.height;
 }
 
 }  // namespace engine

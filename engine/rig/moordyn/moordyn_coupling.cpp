@@ -75,7 +75,7 @@ void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const
   if (immovable(spec.locked)) return;
   // Each point of the body with its Jacobian along its line, and the sum of their h² K + 2 h C over
   // the mass.
-  std::vector<std::pair<std::size_t, Vector6d>> held;
+  std::vector<std::pair<std::size_t, Vector6d>> resisting;
   double stiffness = 0;
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     if (spec_->points[i].body != body.id) continue;
@@ -84,7 +84,7 @@ void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const
     const double mobility =
         n.squaredNorm() / spec.mass + arm_B.dot(spec.inertia_B.ldlt().solve(arm_B));
     stiffness += (h * h * holds_[i].stiffness + 2 * h * holds_[i].damping) * mobility;
-    held.emplace_back(i, to_vector6(n, arm));
+    resisting.emplace_back(i, to_vector6(n, arm));
   }
   if (stiffness < kHeavyLine) return;
   if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
@@ -92,7 +92,7 @@ void MoorDynCoupling::add_update(double time, double h, SubstepBody& body) const
   const auto expected = [fraction](const Vector3d& now, const Vector3d& before) -> Vector3d {
     return now + fraction * (now - before);
   };
-  for (const auto& [i, J] : held) {
+  for (const auto& [i, J] : resisting) {
     const Vector3d n = J.head<3>(), r = state.orientation * spec_->points[i].at;
     const Vector3d velocity = state.linear_velocity + state.angular_velocity.cross(r);
     const PointMotion &now = motions_[i], &before = motions_before_[i];
