@@ -47,7 +47,8 @@ std::string every_key() {
          "    ramp: 12.5\n"
          "air: {density: 1.5, wind: {speed: 8, heading_deg: 90, height: 12, profile: power,"
          " exponent: 0.2}}\n"
-         "ground: {z: -10, friction: 0.25, restitution: 0.125}\n"
+         "ground: {z: -10, friction: 0.25, restitution: 0.125, suction: {pressure: 2e4, time: "
+         "30}}\n"
          "hydro: {preset: thesis, buoyancy: true, pressure_drag: 0.5, lift: 0.25,"
          " viscous_drag: ittc57, length: 7, wave_tolerance: 2e-3, radiation: none,"
          " resistance: {wave: michell},"
@@ -555,6 +556,9 @@ TEST(SceneKeys, FrictionAndRestitutionAreRead) {
   const scene::Scene scene = read_scene_text(every_key());
   EXPECT_EQ(scene.ground_friction, 0.25);
   EXPECT_EQ(scene.ground_restitution, 0.125);
+  ASSERT_TRUE(scene.suction);
+  EXPECT_EQ(scene.suction->pressure, 2e4);
+  EXPECT_EQ(scene.suction->time, 30);
   EXPECT_EQ(scene.bodies[0].friction, 0.75);
   EXPECT_EQ(scene.bodies[0].restitution, 0.5);
   EXPECT_EQ(scene.bodies[1].friction, 0.5);
