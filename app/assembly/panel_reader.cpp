@@ -78,7 +78,7 @@ std::uint64_t line_of(Numbers& numbers) {
 /// Repeats a mesh in the planes of symmetry.
 hydro::TriMesh whole(hydro::TriMesh mesh, bool about_x, bool about_y) {
   for (const auto& [axis, wanted] : {std::pair(0, about_x), std::pair(1, about_y)}) {
-    if (!wanted) continue;
+    if (!wanted || mesh.vertex_count() == 0) continue;
     const Eigen::Index vertices = mesh.vertex_count(), faces = mesh.face_count();
     mesh.vertices.conservativeResize(3, 2 * vertices);
     mesh.vertices.rightCols(vertices) = mesh.vertices.leftCols(vertices).eval();
