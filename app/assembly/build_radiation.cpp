@@ -30,8 +30,8 @@ FloatingModel floating_model(const hydro::TriMesh& mesh_B, const hydro::Sea& sea
 constexpr double kDoubtfulMismatch = 0.1;  ///< [-]
 constexpr double kUselessMismatch = 0.3;   ///< [-]
 
-/// Judges a solution by its own measure of its error.
-/// @throws std::invalid_argument for one that tells nothing.
+}  // namespace
+
 void check_mismatch(const std::string& name, double mismatch, app::Reporter& reporter) {
   const std::string text = fmt::format(
       "the damping by the pressure on the hull and by the waves far away differ by "
@@ -41,8 +41,6 @@ void check_mismatch(const std::string& name, double mismatch, app::Reporter& rep
   if (mismatch > kDoubtfulMismatch)
     reporter.warning(fmt::format("radiation of {}: {}", name, text));
 }
-
-}  // namespace
 
 AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea) {
   const hydro::MeanPose& pose = model.data().pose;

@@ -22,6 +22,11 @@ void add_radiation(const scene::Scene& scene, BuiltScene& built, RadiationStore&
 RadiationProblem radiation_problem(const RadiationChoice& choice, const engine::BodySpec& body,
                                    const hydro::Sea& sea);
 
+/// Judges a solution by its own measure of its error, RadiationSolution::mismatch: above 10 % it is
+/// doubtful, which is told, and above 30 % useless.
+/// @throws std::invalid_argument for one that is useless.
+void check_mismatch(const std::string& name, double mismatch, app::Reporter& reporter);
+
 /// The added mass in the mean pose, where the body is present in full.
 AddedMassReport added_mass_report(const hydro::FloatingBody& model, const hydro::Sea& sea);
 

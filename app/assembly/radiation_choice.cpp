@@ -68,7 +68,13 @@ class Chooser {
     RadiationChoice choice{.written = hydro(lead).radiation.source != Source::by_default};
     if (wants_none(group, lead)) return;
     choice.reason = impossible(group, lead);
-    if (choice.reason.empty()) choose_pose(group, lead, choice);
+    if (choice.reason.empty()) {
+      choose_pose(group, lead, choice);
+      if (std::string why = missing_theory(); !why.empty()) {
+        choice.unexpected = choice.reason.empty();  // In another scene it would make waves.
+        choice.reason = std::move(why);
+      }
+    }
     if (!choice.reason.empty()) choice.pose.reset();
     choice.simulated = choice.pose && is_simulated();
     choices[i] = std::move(choice);
@@ -142,18 +148,23 @@ class Chooser {
       choice.joined_B = std::make_shared<const hydro::TriMesh>(std::move(wet.mesh_B));
   }
 
-  /// Why a hull cannot have radiation in this scene; empty if it can.
-  std::string impossible(const RigidGroup& group, engine::BodyId lead) const {
-    if (!spec_.sea) return "the scene has no water";
-    const hydro::Sea& sea = *spec_.sea;
-    if (sea.gravity == 0) return "there is no gravity";
+  /// Why no hull can have radiation by this method on this surface; empty if one can.
+  std::string missing_theory() const {
     if (spec_.integrator.method == engine::Integrator::Method::ode)
       return "integrator.method: ode has no added mass";
-    if (std::holds_alternative<hydro::HeightField>(sea.surface))
+    const auto& surface = spec_.sea->surface;
+    if (std::holds_alternative<hydro::HeightField>(surface))
       return "the water's surface is a fixed height field";
-    const auto* waves = std::get_if<hydro::WaveSurface>(&sea.surface);
+    const auto* waves = std::get_if<hydro::WaveSurface>(&surface);
     if (waves && waves->kinematics == hydro::Kinematics::hydrostatic)
       return "kinematics: hydrostatic has no waves that a body could scatter";
+    return "";
+  }
+
+  /// Why a hull cannot have radiation, whatever the method and the surface; empty if it can.
+  std::string impossible(const RigidGroup& group, engine::BodyId lead) const {
+    if (!spec_.sea) return "the scene has no water";
+    if (spec_.sea->gravity == 0) return "there is no gravity";
     for (const engine::BodyId id : group.bodies)
       if (!body(id).wet || !body(id).coefficients.buoyancy) return "hydro.buoyancy is switched off";
     if (is_simulated() && hydro(lead).radiation.source == Source::file)

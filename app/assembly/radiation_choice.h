@@ -55,7 +55,7 @@ struct RadiationChoice {
   std::optional<engine::BodyId> lead;
   bool written = false;  ///< The scene has the key for the body.
   std::string reason;    ///< Why it makes none; empty if this key or `added_mass` says so.
-  /// The reason lies in how the scene starts, so that its author may expect waves.
+  /// The reason lies in the start, the method or the surface, so that its author may expect waves.
   bool unexpected = false;
   bool simulated = false;  ///< Simulated water has its waves, in the place of a solution.
   std::string held;        ///< Holder besides the water in the mean pose; empty: none.
@@ -79,7 +79,8 @@ inline const hydro::TriMesh& radiating_mesh(const RadiationChoice& choice,
 }
 
 /// Returns warnings of bodies with a written `radiation` that make waves within ten of their
-/// lengths of each other, and of bodies that have no radiation only for how they start.
+/// lengths of each other, and of bodies that have none although they float near their
+/// rest (RadiationChoice::unexpected).
 std::vector<std::string> radiation_warnings(const engine::SimulationSpec& spec,
                                             const std::vector<RadiationChoice>& choices);
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "app/assembly/build.h"
 #include "hydro/mesh/mass_properties.h"
@@ -84,6 +85,50 @@ TEST(RadiationChoice, IsMadeWhereverABodyStartsNearItsRest) {
   EXPECT_EQ(choice(two).reason, "");
 }
 
+/// Two barges abreast with 2 m of water between them, with more keys of each.
+std::string barges_abreast(const std::string& keys) {
+  std::string text = "plimsoll: 1\nduration: 1\nwater: {density: 1000}\nbodies:\n";
+  for (const int side : {-1, 1})
+    text += fmt::format(
+        "  - {{name: barge{}, box: {{size: [10, 4, 2.4]}}, density: 500,"
+        " position: [0, {}, 0.2]{}}}\n",
+        side + 2, 3 * side, keys);
+  return text;
+}
+
+/// Six spheres of 1 m on a circle of 3 m, each a metre from its neighbours, with more keys of each.
+std::string ring_of_spheres(const std::string& keys) {
+  std::string text = "plimsoll: 1\nduration: 1\nwater: {density: 1000}\nbodies:\n";
+  for (int i = 0; i < 6; ++i)
+    text += fmt::format(
+        "  - {{name: sphere{}, icosphere: {{radius: 1, subdivisions: 2}}, density: 500,"
+        " position: [{}, {}, 0]{}}}\n",
+        i, 3 * std::cos(i * M_PI / 3), 3 * std::sin(i * M_PI / 3), keys);
+  return text;
+}
+
+TEST(RadiationChoice, IsThatOfItsKeyAlsoWhereBodiesFloatSideBySide) {
+  for (const auto& scene : {barges_abreast, ring_of_spheres}) {
+    const assembly::BuiltScene silent = unsolved(scene(""));
+    const assembly::BuiltScene asked = unsolved(scene(", hydro: {radiation: auto}"));
+    ASSERT_EQ(silent.radiation.size(), asked.radiation.size());
+    for (std::size_t i = 0; i < silent.radiation.size(); ++i) {
+      const RadiationChoice& by_default = silent.radiation[i].choice;
+      const RadiationChoice& written = asked.radiation[i].choice;
+      EXPECT_FALSE(by_default.written);
+      EXPECT_TRUE(written.written);
+      ASSERT_TRUE(by_default.pose) << by_default.reason;
+      ASSERT_TRUE(written.pose) << written.reason;
+      EXPECT_EQ(*by_default.pose, *written.pose);
+      EXPECT_EQ(by_default.draught, written.draught);
+      EXPECT_EQ(by_default.length, written.length);
+      EXPECT_EQ(by_default.lead, written.lead);
+      EXPECT_EQ(by_default.held, written.held);
+      EXPECT_EQ(by_default.simulated, written.simulated);
+    }
+  }
+}
+
 TEST(RadiationChoice, IsNotMadeWhereABodyIsThrownOrDroppedUnlessItIsWritten) {
   EXPECT_THAT(reason("position: [0, 0, 1.1]"), HasSubstr("let go 0.6 m beyond"));
   EXPECT_THAT(reason("position: [0, 0, -9]"), HasSubstr("let go 8.5 m beyond"));
@@ -98,6 +143,27 @@ TEST(RadiationChoice, IsNotMadeWhereABodyIsThrownOrDroppedUnlessItIsWritten) {
   EXPECT_THAT(
       unsolved(raft("position: [0, 0, -1]")).warnings,
       ElementsAre(HasSubstr("raft: no radiation: it starts as if it were let go 0.5 m beyond")));
+}
+
+TEST(RadiationChoice, IsMissedByABodyNearItsRestWhereMethodOrSurfaceHaveNone) {
+  const std::pair<std::string, std::string> scenes[] = {
+      {"integrator: {method: ode}\n", "integrator.method: ode has no added mass"},
+      {"water: {density: 1000, surface: {waves: [{amplitude: 0.1, wavelength: 30}],"
+       " kinematics: hydrostatic}}\n",
+       "kinematics: hydrostatic has no waves"},
+      {"water: {density: 1000, surface: {heightfield: {file: " PLIMSOLL_SOURCE_DIR
+       "/scenes/validation/slope.csv, cell: 16, origin: [-32, -32]}}}\n",
+       "the water's surface is a fixed height field"}};
+  for (const auto& [blocks, why] : scenes) {
+    EXPECT_THAT(unsolved(raft("", blocks)).warnings,
+                ElementsAre(HasSubstr("raft: no radiation: " + why)));
+    // One that is dropped or has asked for none has no waves to miss, and one without buoyancy does
+    // not float.
+    for (const char* keys :
+         {"position: [0, 0, 1.1]", "hydro: {radiation: none}", "hydro: {buoyancy: false}"})
+      EXPECT_THAT(unsolved(raft(keys, blocks)).warnings, IsEmpty()) << why << ", " << keys;
+    EXPECT_THAT(reason("position: [0, 0, 1.1]", blocks), HasSubstr(why));
+  }
 }
 
 TEST(RadiationChoice, NeedsOpenWaterOfOneDepthUnlessItIsWritten) {

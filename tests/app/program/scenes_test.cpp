@@ -78,9 +78,9 @@ std::vector<Eigen::Vector3d> way_of_the_teapot(int steps_a_second) {
 }
 
 // It has a hollow in few of the attitudes that it falls through. Steps of 1/100 and 1/300 s are off
-// by 0.8 and 0.4 mm at last.
+// by at most 0.93 and 0.29 mm, where steps of 1/960 s stand for the truth.
 TEST(Teapot, FallsTheSameWayInStepsOfAnyLength) {
-  const std::vector<Eigen::Vector3d> fine = way_of_the_teapot(480);
+  const std::vector<Eigen::Vector3d> fine = way_of_the_teapot(960);
   for (const int steps : {100, 300}) {
     const std::vector<Eigen::Vector3d> coarse = way_of_the_teapot(steps);
     for (std::size_t i = 0; i < fine.size(); ++i)

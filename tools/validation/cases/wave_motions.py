@@ -52,6 +52,7 @@ def measure_rider(plimsoll: Plimsoll) -> Result:
     return result
 
 
+kFactorTwo = 1.0  # Of a ratio whose right value is 1.
 kFloatAmplitudes = (0.05, 0.1, 0.2)
 kFloatLength = 12  # Of the waves [m].
 kFloatCycles, kFloatSteps, kFloatStates = 60, 200, 40
@@ -89,6 +90,11 @@ def measure_float(plimsoll: Plimsoll) -> Result:
                             abs(one.amplitude) / amplitude, kFloatGoal, kind="goal",
                             headline=amplitude == 0.1)
                     for motion, one in (("surge", surge), ("heave", heave))]
+                # Stokes' drift is twice what goes with the water on the surface.
+                share = surge.drift / (2 * wave.drift_at_surface())
+                result.rows.append(compare(
+                    f"drift of a sphere of 0.2 m and Stokes' drift, the larger over the smaller, {name}", "–", 1,
+                    max(share, 1 / share) if share > 0 else np.inf, kFactorTwo, kind="goal"))
             result.rows.append(compare(
                 f"drift of a float of {radius:g} m, {name}", "m/s", wave.drift_at_surface(),
                 surge.drift, kFloatGoal if radius == 0.05 else None, kind="goal",
