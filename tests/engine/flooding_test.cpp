@@ -43,7 +43,7 @@ double water_of_a_dip(double middle, double h) {
     motion.state = dipping(time, middle);
     engine::let_water_run(bodies[0].body, dipping(time - h, middle), time, h, {}, motion);
   }
-  return motion.held->pockets[0].volume;
+  return motion.carried_water->pockets[0].volume;
 }
 
 // Parts of an eighth of the step leave a few per cent of what sets in with the power 3/2 of time.
@@ -68,9 +68,10 @@ std::vector<Vector3d> searched_in(int substeps) {
     return state;
   };
   for (int i = 0; i < substeps; ++i)
-    box.motion.held = engine::divided_for(box.body, tilted(1.0 * i / substeps),
-                                          tilted((i + 1.0) / substeps), 0, box.motion.held);
-  return box.motion.held->known_up_B;
+    box.motion.carried_water =
+        engine::divided_for(box.body, tilted(1.0 * i / substeps), tilted((i + 1.0) / substeps), 0,
+                            box.motion.carried_water);
+  return box.motion.carried_water->known_up_B;
 }
 
 TEST(PocketSearch, IsDoneInTheSameAttitudesInSubstepsOfAnyLength) {

@@ -24,7 +24,7 @@ BodySpec pier() {
   return box;
 }
 
-BodySpec without_drag(BodySpec body) {
+BodySpec free_of_drag(BodySpec body) {
   body.coefficients.pressure_drag = {0, 0};
   return body;
 }
@@ -111,7 +111,7 @@ TEST(HeldBody, IsPushedByACurrentAsItsFacesAre) {
 // Below a long wave the water's acceleration is that at the centre; the rest is of the order of the
 // steepness, 0.8 %, and of (k · 1.5 m)².
 TEST(HeldBody, IsPushedByALongWaveWithItsDisplacedAndAddedMass) {
-  BodySpec body = without_drag(pier());
+  BodySpec body = free_of_drag(pier());
   body.initial.position.z() = -6;
   Matrix6d added = Matrix6d::Zero();
   added.diagonal() << 5000, 3000, 1000, 0, 0, 0;
@@ -164,7 +164,7 @@ Vector3d entry_impulse(Simulation& simulation, double until) {
 // Water that rises along a body in a current is slowed to the body's velocity: ΔA (U − 0). The
 // waves are so long that their own velocities are small against the current's.
 TEST(HeldBody, TakesTheMomentumOfTheWaterThatRisesAlongIt) {
-  BodySpec body = with_added_mass(without_drag(pier()));
+  BodySpec body = with_added_mass(free_of_drag(pier()));
   const Vector3d current(2, 0, 0);
   hydro::Sea sea = waves_on_a_current(0.3, 2000, current);
   const SimulationSpec spec = locked(in_sea(body, sea));
@@ -186,7 +186,7 @@ TEST(HeldBody, TakesTheMomentumOfTheWaterThatRisesAlongIt) {
 }
 
 TEST(HeldBody, GivesNothingBackToTheWaterThatFallsAlongIt) {
-  const BodySpec body = with_added_mass(without_drag(pier()));
+  const BodySpec body = with_added_mass(free_of_drag(pier()));
   const SimulationSpec spec = locked(in_sea(body, waves_on_a_current(0.3, 100, {2, 0, 0})));
   Simulation simulation(spec);
   const auto added = [&] {
@@ -206,7 +206,7 @@ TEST(HeldBody, GivesNothingBackToTheWaterThatFallsAlongIt) {
 // A lock holds against the same water in one direction as in all. The body is so heavy that it
 // hardly moves in the others.
 TEST(HeldBody, OneLockHoldsAgainstTheWaterThatRisesAlongTheBody) {
-  BodySpec body = with_added_mass(without_drag(pier()));
+  BodySpec body = with_added_mass(free_of_drag(pier()));
   body.mass *= 1e6;
   SimulationSpec spec = in_sea(body, waves_on_a_current(0.3, 100, {2, 0, 0}));
   spec.gravity = 0;
