@@ -123,6 +123,7 @@ Simulation::Impl::Impl(SimulationSpec description)
               .stop = &stop},
       stepper(context, spec.step) {
   check_suction(spec);
+  if (spec.suction) begin_suction(world, *spec.suction, spec.step, bodies);
   for (const MovingBody& moving : bodies) states.push_back(moving.motion.state);
   errors.joints.resize(spec.joints.size());
   if (spec.sea && spec.water) water.emplace(spec);
@@ -184,8 +185,7 @@ void Simulation::Impl::accept_step(const std::vector<Overlap>& overlaps) {
   errors.add(overlaps);
   if (water) water->end_step(steps, bodies, times.water());
   ++steps;
-  if (spec.suction)
-    advance_suction(*spec.suction, stepper.contact_forces(), time(), spec.step, bodies);
+  if (spec.suction) advance_suction(*spec.suction, stepper.contact_forces(), spec.step, bodies);
   errors.add(world.frames_of_joints(), states, time());
 }
 

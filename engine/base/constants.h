@@ -130,8 +130,9 @@ inline constexpr double kLargestTrendTurn = 1;
 
 // ── Suction of the bed (bed_suction.h) ────────────────────────────────────────────
 
-/// Time within which a body meets the ground on which it has lain [s].
-inline constexpr double kLainTime = 0.1;
+/// Depth by which a body is lowered to find the ground that it lies on at the start, over its
+/// thickness [-]. Larger: a body above the ground is held; smaller: points are missed by round-off.
+inline constexpr double kLainDepth = 2e-3;
 /// Width of a footprint over its length, below which it is an edge [-].
 inline constexpr double kFlatFootprint = 1e-6;
 

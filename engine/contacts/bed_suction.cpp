@@ -56,27 +56,35 @@ Footprint footprint(std::span<const ContactForce> forces, const Vector3d& up_B) 
   return found;
 }
 
+/// Lets the bed hold a footprint by what is left of the bond.
+void hold(const BedSuction& bed, const Footprint& foot, Suction& suction) {
+  suction.force = suction.bond * bed.pressure * foot.area;
+  suction.place_B = foot.centre_B;
+  suction.into_bed_B = -foot.normal_B;
+}
+
+Vector3d up_B(const hydro::BodyState& state) {
+  return state.orientation.conjugate() * Vector3d::UnitZ();
+}
+
 /// Advances the suction of one body. @param forces   Of its contacts with the ground.
-void advance(const BedSuction& bed, std::span<const ContactForce> forces, double time, double step,
+void advance(const BedSuction& bed, std::span<const ContactForce> forces, double step,
              Motion& motion) {
   Suction& suction = *motion.suction;
-  const double held_with = suction.force;
-  suction.force = 0;
   if (forces.empty()) {
-    if (time > kLainTime) suction.bond = 0;
+    const Vector3d out_W = motion.state.orientation * -suction.into_bed_B;
+    if (motion.state.linear_velocity.dot(out_W) > 0) suction.bond = suction.force = 0;
     return;
   }
-  const Vector3d up_B = motion.state.orientation.conjugate() * Vector3d::UnitZ();
-  const Footprint foot = footprint(forces, up_B);
+  const Footprint foot = footprint(forces, up_B(motion.state));
   const double whole = bed.pressure * foot.area;
-  if (!(whole > 0)) return;
-  double pressing = 0;  // The forces act on the ground, which is the first of each pair.
-  for (const ContactForce& force : forces) pressing -= force.force_B.dot(foot.normal_B);
-  const double change = step * (pressing - held_with) / (whole * bed.time);
-  suction = {.bond = std::clamp(suction.bond + change, 0.0, 1.0),
-             .place_B = foot.centre_B,
-             .into_bed_B = -foot.normal_B};
-  suction.force = suction.bond * whole;
+  if (whole > 0) {
+    double pressing = 0;  // The forces act on the ground, which is the first of each pair.
+    for (const ContactForce& force : forces) pressing -= force.force_B.dot(foot.normal_B);
+    const double change = step * (pressing - suction.force) / (whole * bed.time);
+    suction.bond = std::clamp(suction.bond + change, 0.0, 1.0);
+  }
+  hold(bed, foot, suction);
 }
 
 }  // namespace
@@ -91,11 +99,34 @@ void check_suction(const SimulationSpec& spec) {
     throw std::invalid_argument("method ode knows no suction of the bed");
 }
 
-void advance_suction(const BedSuction& bed, const std::vector<ContactForce>& forces, double time,
-                     double step, std::vector<MovingBody>& bodies) {
+void begin_suction(World& world, const BedSuction& bed, double step,
+                   std::vector<MovingBody>& bodies) {
+  for (MovingBody& moving : bodies) {
+    if (!moving.motion.suction) continue;
+    moving.motion.suction->bond = 0;
+    if (world.shape_box(moving.id).isEmpty()) continue;
+    const Pair pair(kWorld, moving.id);
+    const hydro::BodyState start = moving.motion.state;
+    // Contacts are trusted as deep as bodies can have come in the last steps.
+    const Vector3d sink(0, 0, -kLainDepth * world.thickness(pair));
+    hydro::BodyState low = start;
+    low.position += sink;
+    low.linear_velocity = sink / step;
+    const auto contacts =
+        world.collide({{.body = moving.id, .state = low, .start = start}}, {pair}, step);
+    world.set_state(moving.id, start);
+    if (contacts.points.empty()) continue;
+    moving.motion.suction->bond = 1;
+    const auto forces = remembered(contacts.points, [&](BodyId) { return low; });
+    hold(bed, footprint(forces, up_B(start)), *moving.motion.suction);
+  }
+}
+
+void advance_suction(const BedSuction& bed, const std::vector<ContactForce>& forces, double step,
+                     std::vector<MovingBody>& bodies) {
   for (MovingBody& moving : bodies)
     if (moving.motion.suction)
-      advance(bed, forces_of({kWorld, moving.id}, forces), time, step, moving.motion);
+      advance(bed, forces_of({kWorld, moving.id}, forces), step, moving.motion);
 }
 
 }  // namespace engine

@@ -4,6 +4,7 @@
 
 #include "engine/base/spec.h"
 #include "engine/contacts/contact_memory.h"
+#include "engine/contacts/world.h"
 #include "engine/motion/moving_body.h"
 
 /// @file
@@ -26,8 +27,8 @@
 ///
 /// The footprint is the convex hull of the points of contact in the plane that fits them. A body on
 /// an edge or a corner has none and is not held, so lifting one end takes half the force. A body
-/// that meets the ground within kLainTime has lain there: its bond begins at 1. One that comes
-/// later begins at 0. One that loses all contact has lost its bond.
+/// that touches the ground at the start has lain there: its bond begins at 1. One that comes later
+/// begins at 0, and one that rises without contact has lost its bond.
 
 namespace engine {
 
@@ -35,10 +36,14 @@ namespace engine {
 /// ground or under ODE's own step. @throws std::invalid_argument saying what is wrong.
 void check_suction(const SimulationSpec& spec);
 
+/// Bonds the bodies that lie on the ground at the start.
+/// @param step   The scene's [s].
+void begin_suction(World& world, const BedSuction& bed, double step,
+                   std::vector<MovingBody>& bodies);
+
 /// Advances the suction of each body that has one by a step.
 /// @param forces   Of all contacts, at the end of the step; their pairs ascend.
-/// @param time     At the end of the step [s].
-void advance_suction(const BedSuction& bed, const std::vector<ContactForce>& forces, double time,
-                     double step, std::vector<MovingBody>& bodies);
+void advance_suction(const BedSuction& bed, const std::vector<ContactForce>& forces, double step,
+                     std::vector<MovingBody>& bodies);
 
 }  // namespace engine

@@ -30,7 +30,8 @@ bool is_driven(const MovingBody& moving) {
   const hydro::Wrench& lines = moving.cache.loads.lines;
   return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
          !moving.inputs.loads.empty() || moving.inputs.pull || moving.machines ||
-         !lines.force.isZero(0) || !lines.moment.isZero(0);
+         (moving.motion.suction && moving.motion.suction->force > 0) || !lines.force.isZero(0) ||
+         !lines.moment.isZero(0);
 }
 
 /// Largest work that the last lift, machines, lines and applied loads may have done between two

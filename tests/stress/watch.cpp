@@ -27,7 +27,7 @@ double kinetic_energy(const engine::Body& body, const engine::Motion& motion) {
 
 /// The motion with the added mass of its pose.
 engine::Motion at_its_pose(const engine::Body& body, engine::Motion motion) {
-  motion.added_B = engine::added_mass(body, motion.state, motion.held.get(), 0);
+  motion.added_B = engine::added_mass(body, motion.state, motion.carried_water.get(), 0);
   return motion;
 }
 
