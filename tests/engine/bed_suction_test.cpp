@@ -58,6 +58,7 @@ TEST(BedSuction, ConstantPullsFreeABodyAfterTheirTime) {
 TEST(BedSuction, HoldsABodyUnderWaterForTheSameTime) {
   SimulationSpec spec = on_bed();
   BodySpec& box = spec.bodies[0];
+  box.wet = true;
   box.mass = 1800;
   box.inertia_B *= 6;
   spec.sea = hydro::Sea{.density = 1000, .gravity = kGravity, .level = 5};
