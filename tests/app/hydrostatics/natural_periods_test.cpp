@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 /// A barge of 20 × 8 × 4 m that draws 2 m, KG = 1.5 m, with gyradii of 3, 5 and 5 m and its added
 /// mass given.
-const std::string kBarge =
+const std::string kPlainBarge =
     "plimsoll: 1\nduration: 1\ngravity: 10\nwater: {density: 1000}\n"
     "bodies:\n"
     "  - name: barge\n"
@@ -59,7 +59,7 @@ void expect_period(const json& periods, const std::string& motion, double stiffn
 constexpr double kMass = 320000, kWeight = kMass * 10;
 
 TEST(NaturalPeriods, OfABargeWithAGivenAddedMassAreItsClosedForms) {
-  const json periods = natural_periods(kBarge);
+  const json periods = natural_periods(kPlainBarge);
   ASSERT_EQ(periods["modes"].size(), 3);
   expect_period(periods, "heave", 1000 * 10 * 160.0, kMass + 5e5);
   expect_period(periods, "roll", kWeight * (1 + 8 / 3.0 - 1.5), 9 * kMass + 1e6);
@@ -78,7 +78,7 @@ TEST(NaturalPeriods, OfAMooredBargeHaveItsSurge) {
     springs << "  - {name: s" << (side + 1) << ", bodies: [barge, world], points: [[" << side * 10
             << ", 0, -0.5], [" << side * 60 * c << ", " << side * 60 * s
             << ", -0.5]], stiffness: 1000, damping: 0, length: 50}\n";
-  const json periods = natural_periods(kBarge + springs.str());
+  const json periods = natural_periods(kPlainBarge + springs.str());
   ASSERT_EQ(periods["modes"].size(), 4);
   expect_period(periods, "surge", 2000, kMass + 4e4);
   expect_period(periods, "heave", 1000 * 10 * 160.0, kMass + 5e5);
@@ -88,11 +88,11 @@ TEST(NaturalPeriods, OfAMooredBargeHaveItsSurge) {
 
 TEST(NaturalPeriods, TellWhereTheyAreNotKnown) {
   const std::string jointed =
-      kBarge + "joints:\n  - {type: ball, bodies: [barge, world], anchor: [0, 0, -2]}\n";
+      kPlainBarge + "joints:\n  - {type: ball, bodies: [barge, world], anchor: [0, 0, -2]}\n";
   EXPECT_THAT(natural_periods(jointed)["missing"].get<std::string>(), HasSubstr("has a joint"));
-  EXPECT_THAT(support::output_of({"hydrostatics", support::write_scene(kBarge)}),
+  EXPECT_THAT(support::output_of({"hydrostatics", support::write_scene(kPlainBarge)}),
               HasSubstr("\n  natural periods: roll 4.7 s, heave 4.498 s, pitch 3.269 s\n"));
-  EXPECT_THAT(support::output_of({"hydrostatics", support::write_scene(kBarge), "--csv"}),
+  EXPECT_THAT(support::output_of({"hydrostatics", support::write_scene(kPlainBarge), "--csv"}),
               HasSubstr("barge,rest,natural_period_heave,,"));
 }
 
