@@ -131,12 +131,6 @@ def figure(result: Result) -> str:
                           title=html.escape(result.title), told=told)
 
 
-def save(image, to: Path) -> None:
-    """Writes a picture with 256 colours, a third of the bytes, so that a clone stays small."""
-    from PIL import Image
-    image.quantize(256, dither=Image.Dither.NONE).save(to, optimize=True)
-
-
 def showcase(program: Path, out: Path, to: Path) -> None:
     """Draws the run of the showcase in its own look."""
     from PIL import Image
@@ -145,7 +139,7 @@ def showcase(program: Path, out: Path, to: Path) -> None:
     subprocess.run([str(program), "render", str(out / kShowcase), "--out", str(folder), "--quiet", *changes],
                    check=True)
     with Image.open(folder / "frames" / f"frame_{kShowcaseFrame:04}.png") as image:
-        save(image.convert("RGB"), to)
+        image.convert("RGB").save(to, optimize=True)
 
 
 def publish(sheet: Path, to: Path) -> None:
@@ -154,7 +148,7 @@ def publish(sheet: Path, to: Path) -> None:
     with Image.open(sheet) as image:
         height = round(image.height * kSheetWidth / image.width)
         small = image.convert("RGB").resize((kSheetWidth, height), Image.Resampling.LANCZOS)
-    save(small, to)
+    small.save(to, optimize=True)
 
 
 def sheet(results: list[Result], to: Path) -> None:
@@ -175,7 +169,7 @@ def sheet(results: list[Result], to: Path) -> None:
         y = kGap + i // columns * (tallest + kGap)
         page.paste(picture, (x, y))
         pen.text((x + kCell / 2, y + picture.height + 8), result.title, "black", font, anchor="ma")
-    save(page, to)
+    page.save(to, optimize=True)
 
 
 def main() -> int:
