@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 14";
+constexpr std::string_view kMagic = "plimsoll state 15";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
