@@ -128,14 +128,6 @@ inline constexpr double kFrequencyKept = 0.9;
 /// 17,000 rad/s flies off at 25 m/s.
 inline constexpr double kLargestTrendTurn = 1;
 
-// ── Suction of the bed (bed_suction.h) ────────────────────────────────────────────
-
-/// Depth by which a body is lowered to find the ground that it lies on at the start, over its
-/// thickness [-]. Larger: a body above the ground is held; smaller: points are missed by round-off.
-inline constexpr double kLainDepth = 2e-3;
-/// Width of a footprint over its length, below which it is an edge [-].
-inline constexpr double kFlatFootprint = 1e-6;
-
 // ── Water in pockets (carried_water.h, pocket_search.h) ──────────────────────────
 
 /// Cosine of the angle between the verticals of two attitudes that have the same pockets [-]: 8°.

@@ -1,6 +1,5 @@
 #include "engine/contacts/bed_suction.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <span>
 #include <stdexcept>
@@ -11,7 +10,6 @@
 namespace engine {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// The part of the bed that a body covers.
@@ -21,40 +19,24 @@ struct Footprint {
   Vector3d normal_B = Vector3d::UnitZ();  ///< Unit, out of the bed.
 };
 
-/// Centre of the area of a convex polygon.
-Vector3d centre_of(const hydro::Polygon& polygon) {
-  Vector3d sum = Vector3d::Zero();
-  double area = 0;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const Vector3d a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
-    const double part = a.cross(b).norm() / 2;
-    sum += part * (polygon[0] + (a + b) / 3);
-    area += part;
+/// The hull of the points of contact, seen from above.
+Footprint footprint(std::span<const ContactForce> forces, const Vector3d& up_B, double margin) {
+  hydro::Polygon points;
+  for (const ContactForce& force : forces) points.push_back(force.place_B);
+  const hydro::Polygon hull = hydro::convex_hull(std::move(points), up_B, 0);
+  if (!hydro::has_area(hull, margin)) return {};
+  Vector3d sum = Vector3d::Zero(), moment = Vector3d::Zero();
+  for (std::size_t i = 2; i < hull.size(); ++i) {
+    const Vector3d a = hull[i - 1] - hull[0], b = hull[i] - hull[0], part = a.cross(b) / 2;
+    sum += part;
+    moment += part.norm() * (hull[0] + (a + b) / 3);
   }
-  return sum / area;
+  const double area = sum.norm();
+  return {.area = area, .centre_B = moment / area, .normal_B = sum / area};
 }
 
-Footprint footprint(std::span<const ContactForce> forces, const Vector3d& up_B) {
-  if (forces.size() < 3) return {};
-  Vector3d mean = Vector3d::Zero();
-  for (const ContactForce& force : forces)
-    mean += force.place_B / static_cast<double>(forces.size());
-  Matrix3d spread = Matrix3d::Zero();
-  for (const ContactForce& force : forces)
-    spread += (force.place_B - mean) * (force.place_B - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(spread);
-  Footprint found{.normal_B = axes.eigenvectors().col(0)};
-  if (found.normal_B.dot(up_B) < 0) found.normal_B = -found.normal_B;
-  hydro::Polygon points;
-  for (const ContactForce& force : forces)
-    points.push_back(force.place_B - (force.place_B - mean).dot(found.normal_B) * found.normal_B);
-  const double margin = kFlatFootprint * std::sqrt(axes.eigenvalues()[2]);
-  const hydro::Polygon hull = hydro::convex_hull(std::move(points), found.normal_B, margin);
-  if (!hydro::has_area(hull, margin)) return {};
-  found.area = hydro::area_of(hull);
-  found.centre_B = centre_of(hull);
-  return found;
-}
+/// Width of a footprint below which it is an edge: the depth of rest.
+double edge_width(const MovingBody& moving) { return kContactDepth * moving.body.radius; }
 
 /// Lets the bed hold a footprint by what is left of the bond.
 void hold(const BedSuction& bed, const Footprint& foot, Suction& suction) {
@@ -69,14 +51,15 @@ Vector3d up_B(const hydro::BodyState& state) {
 
 /// Advances the suction of one body. @param forces   Of its contacts with the ground.
 void advance(const BedSuction& bed, std::span<const ContactForce> forces, double step,
-             Motion& motion) {
-  Suction& suction = *motion.suction;
+             MovingBody& moving) {
+  const hydro::BodyState& state = moving.motion.state;
+  Suction& suction = *moving.motion.suction;
   if (forces.empty()) {
-    const Vector3d out_W = motion.state.orientation * -suction.into_bed_B;
-    if (motion.state.linear_velocity.dot(out_W) > 0) suction.bond = suction.force = 0;
+    const Vector3d out_W = state.orientation * -suction.into_bed_B;
+    if (state.linear_velocity.dot(out_W) > 0) suction.bond = suction.force = 0;
     return;
   }
-  const Footprint foot = footprint(forces, up_B(motion.state));
+  const Footprint foot = footprint(forces, up_B(state), edge_width(moving));
   const double whole = bed.pressure * foot.area;
   if (whole > 0) {
     double pressing = 0;  // The forces act on the ground, which is the first of each pair.
@@ -101,32 +84,38 @@ void check_suction(const SimulationSpec& spec) {
 
 void begin_suction(World& world, const BedSuction& bed, double step,
                    std::vector<MovingBody>& bodies) {
-  for (MovingBody& moving : bodies) {
-    if (!moving.motion.suction) continue;
-    moving.motion.suction->bond = 0;
-    if (world.shape_box(moving.id).isEmpty()) continue;
+  std::vector<World::Placed> lowered;
+  std::vector<Pair> pairs;
+  for (const MovingBody& moving : bodies) {
+    if (!moving.motion.suction || world.shape_box(moving.id).isEmpty()) continue;
+    const hydro::BodyState& start = moving.motion.state;
     const Pair pair(kWorld, moving.id);
-    const hydro::BodyState start = moving.motion.state;
+    const Vector3d sink(0, 0, -kContactDepth * world.thickness(pair));
+    World::Placed low{.body = moving.id, .state = start, .start = start, .inertia = {}};
+    low.state.position += sink;
     // Contacts are trusted as deep as bodies can have come in the last steps.
-    const Vector3d sink(0, 0, -kLainDepth * world.thickness(pair));
-    hydro::BodyState low = start;
-    low.position += sink;
-    low.linear_velocity = sink / step;
-    const auto contacts =
-        world.collide({{.body = moving.id, .state = low, .start = start}}, {pair}, step);
-    world.set_state(moving.id, start);
-    if (contacts.points.empty()) continue;
+    low.state.linear_velocity = sink / step;
+    lowered.push_back(low);
+    pairs.push_back(pair);
+  }
+  const auto state_of = [&](BodyId id) {
+    return std::ranges::find(lowered, id, &World::Placed::body)->state;
+  };
+  const auto forces = remembered(world.collide(lowered, pairs, step).points, state_of);
+  for (const World::Placed& low : lowered) {
+    MovingBody& moving = bodies[low.body];
+    world.set_state(low.body, low.start);
+    const auto touching = forces_of({kWorld, low.body}, forces);
+    if (touching.empty()) continue;
     moving.motion.suction->bond = 1;
-    const auto forces = remembered(contacts.points, [&](BodyId) { return low; });
-    hold(bed, footprint(forces, up_B(start)), *moving.motion.suction);
+    hold(bed, footprint(touching, up_B(low.start), edge_width(moving)), *moving.motion.suction);
   }
 }
 
 void advance_suction(const BedSuction& bed, const std::vector<ContactForce>& forces, double step,
                      std::vector<MovingBody>& bodies) {
   for (MovingBody& moving : bodies)
-    if (moving.motion.suction)
-      advance(bed, forces_of({kWorld, moving.id}, forces), step, moving.motion);
+    if (moving.motion.suction) advance(bed, forces_of({kWorld, moving.id}, forces), step, moving);
 }
 
 }  // namespace engine

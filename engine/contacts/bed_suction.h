@@ -25,7 +25,7 @@
 /// at once for f >= p A: the product of pull and time is nearly constant, as break-out tests show
 /// (Muga 1967; Foda, J. Fluid Mech. 123, 1982).
 ///
-/// The footprint is the convex hull of the points of contact in the plane that fits them. A body on
+/// The footprint is the convex hull of the points of contact, seen from above. A body on
 /// an edge or a corner has none and is not held, so lifting one end takes half the force. A body
 /// that touches the ground at the start has lain there: its bond begins at 1. One that comes later
 /// begins at 0, and one that rises without contact has lost its bond.

@@ -32,7 +32,8 @@ std::vector<hydro::Wrench> applied_loads(const MovingBody& moving, const hydro::
     loads.push_back(wrench(load, state, time, moving.set_points));
   for (const AppliedLoad& load : moving.inputs.loads)
     loads.push_back(wrench(load, state, time, moving.set_points));
-  if (moving.motion.suction) loads.push_back(wrench(*moving.motion.suction, state));
+  if (moving.motion.suction && moving.motion.suction->force > 0)
+    loads.push_back(wrench(*moving.motion.suction, state));
   if (moving.inputs.pull) {
     const Eigen::Matrix3d R_WB = state.orientation.toRotationMatrix();
     loads.push_back(

@@ -28,10 +28,8 @@ double least_energy_scale(const Body& body) {
 /// energy then bounds it.
 bool is_driven(const MovingBody& moving) {
   const hydro::Wrench& lines = moving.cache.loads.lines;
-  return moving.body.spec->coefficients.lift != 0 || !moving.body.spec->loads.empty() ||
-         !moving.inputs.loads.empty() || moving.inputs.pull || moving.machines ||
-         (moving.motion.suction && moving.motion.suction->force > 0) || !lines.force.isZero(0) ||
-         !lines.moment.isZero(0);
+  return moving.body.spec->coefficients.lift != 0 || !moving.cache.loads.applied.empty() ||
+         moving.machines || !lines.force.isZero(0) || !lines.moment.isZero(0);
 }
 
 /// Largest work that the last lift, machines, lines and applied loads may have done between two

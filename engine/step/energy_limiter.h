@@ -12,12 +12,12 @@
 /// minimum so far by 2·kEnergyGain of the largest so far. Beyond that the substep is halved and
 /// judged again; an excess that remains is removed by scaling the velocity, which joints allow
 /// since their conditions on it are linear. Between one and two times kEnergyGain the velocity is
-/// scaled without halving. Work done by rows (stiff ropes, motors, stops)
-/// and energy brought by water that runs into a hull from above the still water level move the
-/// minimum by that amount. Substeps of a jointed group that resolve its motion are not judged.
-/// Where lift, applied loads, machines or lines that are loads drive a body, the energy is compared
-/// with that of the substep's start. Water that moves may give energy, and so may wind: there
-/// nothing is judged. Joints do no work (joint_closing.h).
+/// scaled without halving. Work done by rows (stiff ropes, motors, stops) and energy brought by
+/// water that runs into a hull from above the still water level move the minimum by that amount.
+/// Substeps of a jointed group that resolve its motion are not judged. Where lift, applied loads,
+/// machines or lines that are loads drive a body, the energy is compared with that of the substep's
+/// start. Water that moves may give energy, and so may wind: there nothing is judged. Joints do no
+/// work (joint_closing.h).
 ///
 /// Contacts dissipate by themselves: a group that touches something is not judged, and starts anew.
 
