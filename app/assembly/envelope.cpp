@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
 #include "app/assembly/sea_warnings.h"
 #include "engine/motion/locks.h"
+#include "hydro/decompositions.h"
 #include "hydro/mesh/mass_properties.h"
 #include "hydro/mesh/primitives.h"
 
@@ -41,9 +41,7 @@ double largest_added_mass(const engine::BodySpec& body, hydro::Sea sea, double s
   hydro::BodyState deep{.orientation = body.initial.orientation};
   deep.position.z() = sea.level - kDeep * size;
   const Eigen::Matrix3d A = body.added_mass->at(deep, sea, 0).topLeftCorner<3, 3>();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
+  return hydro::eigenvalues(A).maxCoeff();
 }
 
 /// Judges values and keeps those that lie outside.

@@ -5,6 +5,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/motion/body.h"
+#include "hydro/decompositions.h"
 
 namespace engine {
 namespace {
@@ -48,7 +49,7 @@ bool agree(const Body& body, const hydro::Interior& interior, const hydro::Pocke
            const Eigen::Vector3d& up_B) {
   const hydro::TriMesh& mesh_B = body.spec->mesh_B;
   const Eigen::Matrix3d R_WB =
-      Eigen::Quaterniond::FromTwoVectors(up_B, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      hydro::shortest_turn(up_B, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const std::vector<double> spill = spill_heights(mesh_B, interior.division, up_B);
   const double error = kKeptVolume * body.box_B.volume();
   std::vector<double> capacity(spill.size());

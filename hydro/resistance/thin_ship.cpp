@@ -1,6 +1,5 @@
 #include "hydro/resistance/thin_ship.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hydro/decompositions.h"
 #include "hydro/parallel.h"
 #include "hydro/radiation/gauss_rule.h"
 
@@ -90,8 +90,7 @@ Eigen::Vector2d turn_along(WetMesh& wet) {
     const Eigen::Vector3d a = wet.area_vector(face);
     if (a.norm() > 0) facing += a.head<2>() * a.head<2>().transpose() / a.norm();
   }
-  const Eigen::Vector2d along =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(facing).eigenvectors().col(0);
+  const Eigen::Vector2d along = eigen_decomposition(facing).vectors.col(0);
   for (Eigen::Vector3d& v : wet.vertices)
     v.head<2>() = Eigen::Vector2d(along.dot(v.head<2>()), along.x() * v.y() - along.y() * v.x());
   return along;

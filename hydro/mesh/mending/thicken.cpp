@@ -1,10 +1,10 @@
 #include "hydro/mesh/mending/thicken.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "hydro/decompositions.h"
 #include "hydro/mesh/edge_table.h"
 #include "hydro/mesh/mesh_parts.h"
 
@@ -40,12 +40,12 @@ struct Normals {
   }
   /// Least shift that moves all planes by 1 against their normals, by least squares.
   Vector3d shift() const {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(squares);
+    const EigenDecomposition<3> axes = eigen_decomposition(squares);
     Vector3d shift = Vector3d::Zero();
     for (int i = 0; i < 3; ++i) {
-      const double value = solver.eigenvalues()[i];
-      if (value <= kAgreeing * solver.eigenvalues()[2]) continue;
-      const Vector3d axis = solver.eigenvectors().col(i);
+      const double value = axes.values[i];
+      if (value <= kAgreeing * axes.values[2]) continue;
+      const Vector3d axis = axes.vectors.col(i);
       shift -= axis.dot(sum) / value * axis;
     }
     const double length = shift.norm();
