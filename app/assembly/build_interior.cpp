@@ -105,17 +105,15 @@ void build_interior(const scene::Body& body, engine::BodySpec& spec) {
   if (!spec.wet || hydro::is_convex(spec.mesh_B)) return;
   spec.interior = model_of(body.interior);
   if (spec.interior == engine::Interior::wet) return;
-  const hydro::Pockets found = hydro::find_pockets(spec.mesh_B, orientation_of(spec).row(2));
-  if (!found.pockets.empty()) spec.closed_mesh_B = hydro::with_lids(spec.mesh_B, found);
+  spec.pockets = hydro::make_interior(spec.mesh_B, orientation_of(spec).row(2));
+  if (spec.pockets) spec.closed_mesh_B = hydro::with_lids(spec.mesh_B, spec.pockets->division);
 }
 
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
                    const std::string& key_path, engine::BodySpec& spec, BuildLog& log) {
   if (body.interior_water.empty() && body.openings.empty() && body.pumps.empty()) return;
   const Eigen::Vector3d up_B = orientation_of(spec).row(2);
-  const auto interior = spec.interior == engine::Interior::flooding
-                            ? hydro::make_interior(spec.mesh_B, up_B)
-                            : nullptr;
+  const auto interior = spec.interior == engine::Interior::flooding ? spec.pockets : nullptr;
   for (std::size_t i = 0; i < body.interior_water.size(); ++i) {
     const std::string path = fmt::format("{}.interior_water[{}]", key_path, i);
     const scene::InteriorWater& water = body.interior_water[i];
@@ -145,7 +143,9 @@ std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec) {
     if (!spec.sea || body.interior != engine::Interior::flooding || !body.closed_mesh_B) continue;
     const Eigen::Vector3d up_B = orientation_of(body).row(2);
     double deepest = 0;
-    for (const hydro::SillEdge& edge : hydro::find_pockets(body.mesh_B, up_B).sills) {
+    const auto interior = engine::pockets_at(body, up_B);
+    if (!interior) continue;
+    for (const hydro::SillEdge& edge : interior->division.sills) {
       if (edge.other != hydro::kSea) continue;
       for (const int v : {edge.from, edge.to}) {
         const Eigen::Vector3d p =
@@ -175,7 +175,7 @@ std::vector<hydro::Tank> tanks_of(const engine::BodySpec& spec) {
   std::vector<hydro::Tank> tanks;
   if (spec.interior_water.empty()) return tanks;
   const Eigen::Vector3d up_B = orientation_of(spec).row(2);
-  const auto interior = hydro::make_interior(spec.mesh_B, up_B);
+  const auto interior = engine::pockets_at(spec, up_B);
   if (!interior) return tanks;
   for (const engine::WaterAtStart& water : spec.interior_water) {
     const int pocket = hydro::pocket_under(spec.mesh_B, interior->division, water.at_B, up_B);

@@ -70,8 +70,7 @@ Json probe_body(const engine::BodySpec& body, const engine::Body& moved,
   hydro::Loads loads;
   std::shared_ptr<const hydro::Interior> interior;
   if (body.interior == engine::Interior::flooding)
-    interior =
-        hydro::make_interior(body.mesh_B, body.initial.orientation.toRotationMatrix().row(2));
+    interior = engine::pockets_at(body, body.initial.orientation.toRotationMatrix().row(2));
   if (sea && (body.wet || hydro::check_mesh(body.mesh_B).closed())) {
     loads = hydro::compute_loads(sea_hull(body, interior.get()), body.initial, *sea, 0,
                                  body.coefficients, body.summation);

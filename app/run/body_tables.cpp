@@ -119,7 +119,9 @@ Cells resistance_row(const engine::BodySpec& body, const assembly::ResistanceRep
 Cells hollow_row(const engine::BodySpec& body, double level) {
   if (body.interior == engine::Interior::wet || !body.closed_mesh_B) return {};
   const Eigen::Vector3d up_B = body.initial.orientation.toRotationMatrix().row(2);
-  const hydro::Pockets found = hydro::find_pockets(body.mesh_B, up_B);
+  const auto interior = engine::pockets_at(body, up_B);
+  if (!interior) return {};
+  const hydro::Pockets& found = interior->division;
   double capacity = 0, rim = std::numeric_limits<double>::infinity(), water = 0;
   for (const hydro::Pocket& pocket : found.pockets) capacity += pocket.capacity;
   for (const hydro::SillEdge& edge : found.sills)

@@ -12,6 +12,7 @@
 #include "engine/base/constants.h"
 #include "engine/base/rig_spec.h"
 #include "hydro/added_mass/added_mass_model.h"
+#include "hydro/interior/interior.h"
 #include "hydro/loads/loads.h"
 #include "hydro/radiation/floating_body.h"
 #include "hydro/resistance/resistance.h"
@@ -108,6 +109,8 @@ struct BodySpec {
   std::vector<Opening> openings;             ///< Holes in its walls.
   std::vector<PumpSpec> pumps;               ///< Pumps of its pockets.
   std::vector<WaterAtStart> interior_water;  ///< Water in its pockets at time 0.
+  /// The pockets of the start, shared by bodies and simulations; null: no pockets, or not found yet.
+  std::shared_ptr<const hydro::Interior> pockets;
   /// The mesh with the pockets of the start closed by lids; none without pockets.
   std::optional<hydro::TriMesh> closed_mesh_B;
   CollisionShape collision = CollisionShape::mesh;  ///< Shape in contacts.
@@ -120,6 +123,13 @@ struct BodySpec {
 /// The surface of a body as the sea outside sees it at the start.
 inline const hydro::TriMesh& outside_B(const BodySpec& body) {
   return body.closed_mesh_B && body.interior != Interior::wet ? *body.closed_mesh_B : body.mesh_B;
+}
+
+/// The pockets of a body with this vertical; null without. Those of the start are at hand.
+inline std::shared_ptr<const hydro::Interior> pockets_at(const BodySpec& body,
+                                                         const Eigen::Vector3d& up_B) {
+  const bool at_hand = body.pockets && body.pockets->up_B == up_B;
+  return at_hand ? body.pockets : hydro::make_interior(body.mesh_B, up_B);
 }
 
 /// A joint between two bodies, or a body and the world. The poses at time 0 fulfil it.

@@ -94,7 +94,7 @@ bool holds_water(const Motion& motion) {
 std::shared_ptr<CarriedWater> dry_pockets(const Body& body, const Eigen::Vector3d& up_B) {
   if (!body.hollow) return nullptr;
   auto carried = std::make_shared<CarriedWater>();
-  carried->interior = hydro::make_interior(body.spec->mesh_B, up_B);
+  carried->interior = pockets_at(*body.spec, up_B);
   carried->found_up_B = up_B;
   carried->known_up_B = {up_B};
   if (carried->interior) carried->pockets.resize(carried->interior->pockets.size());
@@ -116,7 +116,7 @@ std::shared_ptr<const CarriedWater> completed(const Body& body,
                                               const std::shared_ptr<const CarriedWater>& carried) {
   if (!carried || carried->interior || carried->pockets.empty()) return carried;
   auto whole = std::make_shared<CarriedWater>(*carried);
-  whole->interior = hydro::make_interior(body.spec->mesh_B, carried->found_up_B);
+  whole->interior = pockets_at(*body.spec, carried->found_up_B);
   return whole;
 }
 
