@@ -54,6 +54,7 @@ std::vector<MovingBody> make_moving_bodies(const SimulationSpec& spec, const Rig
   for (Body& body : make_bodies(spec)) {
     const auto id = static_cast<BodyId>(moving.size());
     body.rigged = rig.acts_on(id);
+    body.dynamic_line = rig.has_dynamic_line(id);
     body.driven_by_rows = rig.constrains(id);
     if (body.driven_by_rows) body.reduced_joint.reset();
     const hydro::BodyState initial = without_locked_motion(body.spec->locked, body.spec->initial);
@@ -168,7 +169,7 @@ void Simulation::Impl::begin_step() {
 
 /// Takes what is coupled to the bodies once a step to the ends of their ways.
 void Simulation::Impl::move_lines() {
-  if (!spec.moordyn) return;
+  if (!rig.has_dynamic_lines()) return;
   std::vector<hydro::BodyState> ends;
   for (const MovingBody& moving : bodies) ends.push_back(moving.motion.state);
   rig.follow(ends);
@@ -256,8 +257,6 @@ Simulation::Simulation(SimulationSpec spec) {
   try {
     impl_ = std::make_unique<Impl>(std::move(spec));
   } catch (const OdeFault& fault) {
-    throw SimulationError(0, "", fault.what());
-  } catch (const MoorDynFault& fault) {
     throw SimulationError(0, "", fault.what());
   }
 }
@@ -356,6 +355,7 @@ void Simulation::set_motion(BodyId body, const hydro::BodyState& state) {
   moving.motion = motion_at(moving.body, impl_->spec, allowed, impl_->time());
   impl_->stepper.forget(body);
   impl_->states[body] = moving.motion.state;
+  impl_->rig.settle(body, impl_->states, impl_->time());
 }
 
 SimulationState Simulation::state() const {
@@ -384,8 +384,6 @@ void Simulation::step() {
     else
       overlaps = ode_step(impl.context, time(), impl.spec.step);
     impl.move_lines();
-  } catch (const MoorDynFault& fault) {
-    throw SimulationError(time(), "", fault.what());
   } catch (const MotionFault& fault) {
     throw SimulationError(time(), fault.body(), fault.what());
   } catch (const OdeFault& fault) {

@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 15";
+constexpr std::string_view kMagic = "plimsoll state 16";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -123,6 +123,10 @@ void visit(auto& a, Eigen::VectorXd& vector) {
   vector.resize(static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(vector.size()))));
   a.bytes(vector.data(), sizeof(double) * static_cast<std::size_t>(vector.size()));
 }
+void visit(auto& a, Eigen::Matrix3Xd& points) {
+  points.resize(3, static_cast<Eigen::Index>(a.count(static_cast<std::size_t>(points.cols()))));
+  a.bytes(points.data(), sizeof(double) * static_cast<std::size_t>(points.size()));
+}
 void visit(auto& a, WaveMemory& memory) { visit_all(a, memory.q, memory.p); }
 void visit(auto& a, WaterMemory& water) {
   visit_all(a, water.displacement, water.load, water.momentum);
@@ -169,11 +173,12 @@ void visit(auto& a, LineState& l) {
   visit_all(a, l.length, l.broken, l.impulse, l.tension, l.pull);
 }
 void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort, j.motor); }
-void visit(auto& a, MoorDynState& m) {
-  visit_all(a, m.forces, m.before, m.places_before, m.velocities_before, m.system);
+void visit(auto& a, DynamicLineState& l) {
+  visit_all(a, l.motion.places, l.motion.places_before, l.motion.velocities,
+            l.motion.velocities_before, l.motion.forces, l.broken);
 }
 void visit(auto& a, RigState& rig) {
-  visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.moordyn);
+  visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.dynamic_lines);
 }
 void visit(auto& a, Peak& peak) { visit_all(a, peak.value, peak.time); }
 void visit(auto& a, JointError& joint) { visit_all(a, joint.separation, joint.turn); }

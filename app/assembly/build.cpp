@@ -23,6 +23,7 @@
 #include "app/assembly/envelope.h"
 #include "app/assembly/mesh_mending.h"
 #include "app/assembly/radiation_database.h"
+#include "app/assembly/rig_warnings.h"
 #include "app/assembly/sea_warnings.h"
 #include "app/assembly/start_warnings.h"
 #include "app/base/schedule.h"

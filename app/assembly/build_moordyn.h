@@ -12,11 +12,12 @@ namespace assembly {
 using Attach =
     std::function<engine::AttachmentPoint(const std::string& body, const Eigen::Vector3d& point)>;
 
-/// Gives the specification the lines of the scene's file of MoorDyn, if it names one. Its bodies
-/// must be there. A warning of MoorDyn becomes a warning of the build.
+/// Gives the specification the lines of the scene's file for MoorDyn, if it names one, as lines
+/// with inertia named by their numbers. Its bodies must be there. What the file asks for and is not
+/// computed becomes a warning.
 ///
-/// Faults go to the log, at their keys: a build without MoorDyn, a file that MoorDyn cannot read or
-/// that asks for unsupported features, a number of bodies that is not that of its coupled points.
+/// Faults go to the log, at their keys: a file that cannot be read or that asks for unsupported
+/// features, a number of bodies that is not that of its coupled points.
 void build_moordyn(engine::SimulationSpec& spec, BuildLog& log, const Attach& attach);
 
 }  // namespace assembly

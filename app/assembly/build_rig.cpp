@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "app/assembly/build_control.h"
 #include "app/assembly/build_moordyn.h"
 #include "app/scene/rig_names.h"
+#include "engine/rig/dynamic_lines.h"
 
 namespace assembly {
 namespace {
@@ -21,8 +23,8 @@ using Of = scene::SetPoint::Of;
 /// A mooring line that is this many times shorter than its span does not reach its anchor.
 constexpr double kOutOfReach = 1.2;
 
-/// A rope this many times shorter than its span starts with a warning.
-constexpr double kShortRope = 1.02;
+/// Coefficients of a line with inertia that has a diameter [-].
+constexpr double kLineDragAlong = 0.05, kLineAddedMass = 1;
 
 /// Builds the rig of one scene.
 class RigBuilder {
@@ -133,7 +135,38 @@ class RigBuilder {
     for (std::size_t i = 0; i < log_.scene.ropes.size(); ++i) {
       spec_.lines[first + i].set_rate = find_id(Of::rope_rate, i);
       spec_.lines[first + i].shortest = log_.scene.ropes[i].shortest;
+      const scene::Rope& rope = log_.scene.ropes[i];
+      if (!rope.inertia) continue;
+      spec_.lines[first + i].weight = rope.weight;
+      add_inertia(*rope.inertia, rope.drag, scene::bottom_of(log_.scene),
+                  fmt::format("ropes[{}]", i), spec_.lines[first + i]);
     }
+  }
+
+  /// @param bottom   Height of the bottom that carries the line.
+  void add_inertia(const scene::LineInertia& given, const scene::LineDrag& drag,
+                   const std::optional<double>& bottom, const std::string& path,
+                   engine::LineSpec& line) {
+    const double displaced =
+        spec_.sea ? spec_.sea->density * std::numbers::pi / 4 * drag.diameter * drag.diameter : 0;
+    const double mass = given.mass.value_or(line.weight / spec_.gravity + displaced);
+    if (!(mass > 0))
+      log_.faults.add(log_.scene.places, path + ".weight",
+                      "leaves the line no mass, expected its mass beside it");
+    line.drag_diameter = drag.diameter;
+    line.drag_coefficient = drag.diameter > 0 ? drag.coefficient : 0;
+    line.inertia = {.segments = given.segments,
+                    .mass = mass,
+                    .drag_along = drag.along.value_or(kLineDragAlong),
+                    .added_mass = drag.added_mass.value_or(kLineAddedMass)};
+    if (bottom) line.inertia->bottom = *bottom;
+    const double longest = engine::longest_step(spec_, line);
+    if (spec_.step > longest)
+      log_.faults.add(log_.scene.places, path + ".stiffness",
+                      fmt::format("found {:g}, but between two bodies that move a line with weight "
+                                  "and this stiffness needs a step of {:.3g} s or less; the "
+                                  "scene's is {:g} s",
+                                  line.stiffness, longest, spec_.step));
   }
 
   double span_of(const engine::LineSpec& line) const {
@@ -164,9 +197,13 @@ class RigBuilder {
           .weight = mooring.weight,
           .friction = mooring.on_bottom ? mooring.friction : 0,
           .on_bottom = mooring.on_bottom,
-          .drag_diameter = mooring.drag_diameter,
-          .drag_coefficient = mooring.drag_diameter > 0 ? mooring.drag_coefficient : 0};
+          .drag_diameter = mooring.drag.diameter,
+          .drag_coefficient = mooring.drag.diameter > 0 ? mooring.drag.coefficient : 0};
       const std::string path = fmt::format("moorings[{}]", i);
+      if (mooring.inertia)
+        add_inertia(*mooring.inertia, mooring.drag,
+                    mooring.on_bottom ? std::optional(mooring.anchor.z()) : std::nullopt, path,
+                    line);
       if (check_reach(line, path)) check_strength(line, path + ".breaks_at");
       spec_.lines.push_back(std::move(line));
     }
@@ -246,35 +283,6 @@ class RigBuilder {
   std::map<std::tuple<Of, std::size_t, std::size_t>, engine::SetPointId> ids_;
 };
 
-/// Warns of a rope or mooring that is shorter than its span.
-void warn_of_span(const engine::SimulationSpec& spec, const engine::LineSpec& line,
-                  const std::string& path, std::vector<std::string>& warnings) {
-  const double span = (place_at_start(spec, line.second) - place_at_start(spec, line.first)).norm();
-  const bool rope = line.kind == engine::LineSpec::Kind::rope;
-  if (span > (rope ? kShortRope : 1) * line.length)
-    warnings.push_back(fmt::format(
-        "{}.length: {:.4g} m is less than the distance of {:.4g} m between its ends at the start, "
-        "so the line starts with a tension of {:.4g} N",
-        path, line.length, span, tension_at_start(spec, line)));
-}
-
-/// Warns of a propeller whose disc reaches out of still water.
-void warn_of_air(const engine::SimulationSpec& spec, std::size_t i,
-                 std::vector<std::string>& warnings) {
-  const engine::PropellerSpec& propeller = spec.propellers[i];
-  if (!spec.sea) return;
-  const Eigen::Vector3d center = place_at_start(spec, {propeller.body, propeller.at_B});
-  const hydro::BodyState& state = spec.bodies[static_cast<std::size_t>(propeller.body)].initial;
-  const double slope = (state.orientation * propeller.axis_B).z();
-  const double up = propeller.screw.diameter / 2 * std::sqrt(std::max(0.0, 1 - slope * slope));
-  const double above = center.z() + up - spec.sea->level;
-  if (above > 0)
-    warnings.push_back(fmt::format(
-        "propellers[{}].at: the disc reaches {:.3g} m above the still water at the start; what is "
-        "above it drives nothing",
-        i, above));
-}
-
 }  // namespace
 
 Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
@@ -304,24 +312,5 @@ engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {
 }
 
 void build_rig(BuiltScene& built, BuildLog& log) { RigBuilder(built, log).all(); }
-
-std::vector<std::string> rig_warnings(const scene::Scene& scene,
-                                      const engine::SimulationSpec& spec) {
-  const auto settled = [&](const engine::AttachmentPoint& end) {
-    return end.body != engine::kWorld &&
-           scene.bodies[static_cast<std::size_t>(end.body)].start == scene::Start::equilibrium;
-  };
-  std::vector<std::string> warnings;
-  std::map<engine::LineSpec::Kind, std::size_t> counts;
-  for (const engine::LineSpec& line : spec.lines) {
-    const std::size_t i = counts[line.kind]++;
-    if (line.kind == engine::LineSpec::Kind::spring) continue;
-    if (settled(line.first) || settled(line.second)) continue;
-    const char* list = line.kind == engine::LineSpec::Kind::rope ? "ropes" : "moorings";
-    warn_of_span(spec, line, fmt::format("{}[{}]", list, i), warnings);
-  }
-  for (std::size_t i = 0; i < spec.propellers.size(); ++i) warn_of_air(spec, i, warnings);
-  return warnings;
-}
 
 }  // namespace assembly

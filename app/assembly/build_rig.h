@@ -14,7 +14,8 @@ namespace assembly {
 ///
 /// Faults go to the log, at their keys: a command file that cannot be read, a machine outside the
 /// validity of its model, a mooring whose anchor is out of reach or whose fairlead lies below it,
-/// a line that breaks at the start, a file that MoorDyn cannot read, or any in a build without it.
+/// a line that breaks at the start, a file for MoorDyn that cannot be read, a stiff line with
+/// inertia between two bodies that the step does not resolve.
 void build_rig(BuiltScene& built, BuildLog& log);
 
 /// Returns the index of a body by its name; engine::kWorld for `world`.
@@ -26,12 +27,5 @@ Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
 
 /// Tension of a line at the start [N]; negative for a spring that pushes.
 double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSpec& line);
-
-/// Returns what the author of a scene should look at: ropes and moorings that are shorter than
-/// their span at the start, and propellers that reach out of the water. Each is one line, which
-/// begins with the key. A line of a body that starts in equilibrium has the tension that holds it
-/// there.
-std::vector<std::string> rig_warnings(const scene::Scene& scene,
-                                      const engine::SimulationSpec& spec);
 
 }  // namespace assembly

@@ -51,10 +51,8 @@ void add_lines(const engine::SimulationSpec& spec, engine::BodyId body,
     add_stiffness(line, body, mean, spec, terms.body);
     if (line.first.body != engine::kWorld && line.second.body != engine::kWorld)
       terms.left_out.push_back(fmt::format("motion of the other body that {} holds", line.name));
+    if (line.inertia) terms.left_out.push_back(fmt::format("inertia of {}", line.name));
   }
-  if (spec.moordyn && std::any_of(spec.moordyn->points.begin(), spec.moordyn->points.end(),
-                                  [&](const auto& point) { return point.body == body; }))
-    terms.left_out.emplace_back("lines of MoorDyn");
 }
 
 }  // namespace

@@ -82,7 +82,6 @@ engine::SimulationSpec still_scene(const engine::SimulationSpec& spec, const Hel
   still.sea->current.setZero();
   still.sea->profile.clear();
   still.sea->air.reset();
-  still.moordyn.reset();
   still.propellers.clear();
   still.foils.clear();
   still.controls.clear();
@@ -92,6 +91,8 @@ engine::SimulationSpec still_scene(const engine::SimulationSpec& spec, const Hel
   }
   for (engine::LineSpec& line : still.lines) {
     line.breaks_at = std::numeric_limits<double>::infinity();
+    if (line.kind == engine::LineSpec::Kind::mooring && line.second.body == engine::kWorld)
+      line.inertia.reset();
     line.set_length.reset();
     line.set_rate.reset();
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -41,14 +42,17 @@ std::vector<double> lines_of(const engine::SimulationSpec& spec,
   Numbers numbers;
   for (std::size_t i = 0; i < spec.lines.size(); ++i)
     add_line(readings.lines[i], spec.lines[i].kind == engine::LineSpec::Kind::mooring, numbers);
-  for (const engine::LineReading& line : readings.moordyn) add_line(line, false, numbers);
   return numbers.take();
 }
 
-std::vector<double> line_nodes_of(const engine::RigReadings& readings) {
+std::vector<double> line_nodes_of(const engine::SimulationSpec& spec,
+                                  const engine::RigReadings& readings) {
   Numbers numbers;
-  for (const engine::LineReading& line : readings.moordyn)
-    for (const Eigen::Vector3d& node : line.nodes_W) numbers.add(node);
+  for (std::size_t i = 0; i < spec.lines.size(); ++i) {
+    const std::vector<Eigen::Vector3d>& nodes_W = readings.lines[i].nodes_W;
+    for (std::size_t node = 0; node < node_count(spec.lines[i]); ++node)
+      numbers.add(nodes_W.empty() ? Eigen::Vector3d::Constant(kNone) : nodes_W[node]);
+  }
   return numbers.take();
 }
 
@@ -132,37 +136,35 @@ std::string log_name(const engine::FoilSpec& foil) {
   return fmt::format("{}[{}]", water ? "rudders" : "sails", foil.name);
 }
 
-std::string log_name(const engine::MoorDynSpec::Line& line) {
-  return fmt::format("moorings[{}]", line.number);
+std::size_t node_count(const engine::LineSpec& line) {
+  return line.inertia ? static_cast<std::size_t>(line.inertia->segments) + 1 : 0;
 }
 
-std::string node_name(const engine::MoorDynSpec::Line& line, int node) {
+std::string node_name(const engine::LineSpec& line, std::size_t node) {
   return fmt::format("{}.{}", log_name(line), node);
 }
 
-std::vector<std::string> line_names(const engine::SimulationSpec& spec) {
-  std::vector<std::string> names = names_of(spec.lines);
-  if (spec.moordyn)
-    for (std::string& name : names_of(spec.moordyn->lines)) names.push_back(std::move(name));
-  return names;
+bool has_nodes(const engine::SimulationSpec& spec) {
+  return std::ranges::any_of(spec.lines,
+                             [](const engine::LineSpec& line) { return line.inertia.has_value(); });
 }
 
 RigLog::RigLog(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), joints_(joints && !spec.joints.empty()) {}
 
 bool RigLog::empty() const {
-  return spec_.lines.empty() && !spec_.moordyn && !joints_ && spec_.propellers.empty() &&
-         spec_.foils.empty() && spec_.controls.empty();
+  return spec_.lines.empty() && !joints_ && spec_.propellers.empty() && spec_.foils.empty() &&
+         spec_.controls.empty();
 }
 
 std::vector<LogTable> RigLog::tables() const {
   std::vector<LogTable> tables;
-  std::vector<std::string> lines = line_names(spec_);
+  std::vector<std::string> lines = names_of(spec_.lines);
   if (!lines.empty()) tables.push_back({lines_layout(), std::move(lines)});
-  if (spec_.moordyn) {
+  if (has_nodes(spec_)) {
     tables.push_back({line_nodes_layout(), {}});
-    for (const engine::MoorDynSpec::Line& line : spec_.moordyn->lines)
-      for (int node = 0; node <= line.segments; ++node)
+    for (const engine::LineSpec& line : spec_.lines)
+      for (std::size_t node = 0; node < node_count(line); ++node)
         tables.back().names.push_back(node_name(line, node));
   }
   if (joints_) {
@@ -182,8 +184,8 @@ std::vector<LogTable> RigLog::tables() const {
 std::vector<std::vector<double>> RigLog::numbers(
     const engine::RigReadings& readings, const std::vector<hydro::BodyState>& states) const {
   std::vector<std::vector<double>> all;
-  if (!spec_.lines.empty() || spec_.moordyn) all.push_back(lines_of(spec_, readings));
-  if (spec_.moordyn) all.push_back(line_nodes_of(readings));
+  if (!spec_.lines.empty()) all.push_back(lines_of(spec_, readings));
+  if (has_nodes(spec_)) all.push_back(line_nodes_of(spec_, readings));
   if (joints_) all.push_back(joints_of(spec_, readings));
   if (!spec_.propellers.empty() || !spec_.foils.empty())
     all.push_back(machines_of(spec_, readings, states));

@@ -11,11 +11,11 @@
 /// The tables of lines, joints, machines and controls (table_log.h), in the units of their columns:
 /// angles in degrees where a column ends in `_deg`, otherwise SI. Forces and moments are in W.
 ///
-/// - `lines.csv`: the springs, ropes and moorings, those of MoorDyn last. `x1` … `z2` are the
-///   places of the ends, `fx` … `fz` is the force on the first body; `taut` and `broken` are 1 or
-///   0; `resting` is the length on the bottom, which only catenaries have.
-/// - `line_nodes.csv`: the places of the nodes of the lines of MoorDyn, of each line from its first
-///   end to its second.
+/// - `lines.csv`: the springs, ropes and moorings. `x1` … `z2` are the places of the ends, `fx` …
+///   `fz` is the force on the first body; `taut` and `broken` are 1 or 0; `resting` is the length
+///   on the bottom, which only moorings have.
+/// - `line_nodes.csv`: the places of the nodes of the lines with inertia, of each line from its
+///   first end to its second. A broken line has no places.
 /// - `joints.csv`: `fx` … `tz` is the load on the second body, about the anchor; `coordinate`,
 ///   `speed` and `effort` are those of hinges and sliders.
 /// - `machines.csv`: propellers, and the foils in the water (rudders) and in the air (sails). A
@@ -28,12 +28,12 @@ namespace app {
 
 /// Names in logs: `springs[NAME]`, `ropes[NAME]`, `moorings[NAME]`.
 std::string log_name(const engine::LineSpec& line);
-/// `moorings[NUMBER]`
-std::string log_name(const engine::MoorDynSpec::Line& line);
-/// The names of all lines in the order of their table: those of MoorDyn last.
-std::vector<std::string> line_names(const engine::SimulationSpec& spec);
-/// `moorings[NUMBER].NODE`, the node counted from 0.
-std::string node_name(const engine::MoorDynSpec::Line& line, int node);
+/// Number of nodes of a line: one more than its segments with inertia, else 0.
+std::size_t node_count(const engine::LineSpec& line);
+/// `moorings[NAME].NODE`, the node counted from 0.
+std::string node_name(const engine::LineSpec& line, std::size_t node);
+/// True if any line has nodes.
+bool has_nodes(const engine::SimulationSpec& spec);
 /// `propellers[NAME]`
 std::string log_name(const engine::PropellerSpec& propeller);
 /// `rudders[NAME]` in the water, `sails[NAME]` in the air.

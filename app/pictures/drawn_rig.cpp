@@ -25,6 +25,7 @@ double tension_at_rest(const LineSpec& line, const Vector3d& first, const Vector
 void move_back(const DrawnLine& start, double part, DrawnLine& line) {
   line.tension = std::lerp(start.tension, line.tension, part);
   line.length = std::lerp(start.length, line.length, part);
+  if (start.nodes_W.size() != line.nodes_W.size()) line.nodes_W.clear();
   for (std::size_t i = 0; i < line.nodes_W.size(); ++i)
     line.nodes_W[i] = start.nodes_W[i] + part * (line.nodes_W[i] - start.nodes_W[i]);
 }
@@ -34,10 +35,10 @@ void move_back(const DrawnLine& start, double part, DrawnLine& line) {
 DrawnRig drawn_rig(const engine::RigReadings& readings) {
   DrawnRig rig;
   for (const engine::LineReading& line : readings.lines)
-    rig.lines.push_back({.tension = line.tension, .length = line.length, .broken = line.broken});
-  for (const engine::LineReading& line : readings.moordyn)
-    rig.moordyn.push_back(
-        {.tension = line.tension, .length = line.length, .nodes_W = line.nodes_W});
+    rig.lines.push_back({.tension = line.tension,
+                         .length = line.length,
+                         .broken = line.broken,
+                         .nodes_W = line.nodes_W});
   for (const engine::PropellerReading& propeller : readings.propellers)
     rig.propellers.push_back({.turn = propeller.turn, .azimuth = propeller.azimuth});
   for (const engine::FoilReading& foil : readings.foils) rig.foil_angles.push_back(foil.angle);
@@ -66,9 +67,6 @@ DrawnRig between(const DrawnRig& a, const DrawnRig& b, double part) {
          a.foil_angles.size() == b.foil_angles.size());
   DrawnRig rig = b;
   for (std::size_t i = 0; i < b.lines.size(); ++i) move_back(a.lines[i], part, rig.lines[i]);
-  if (a.moordyn.size() != b.moordyn.size()) rig.moordyn.clear();
-  for (std::size_t i = 0; i < rig.moordyn.size(); ++i)
-    move_back(a.moordyn[i], part, rig.moordyn[i]);
   for (std::size_t i = 0; i < b.propellers.size(); ++i) {
     rig.propellers[i].turn = std::lerp(a.propellers[i].turn, b.propellers[i].turn, part);
     rig.propellers[i].azimuth = std::lerp(a.propellers[i].azimuth, b.propellers[i].azimuth, part);

@@ -16,7 +16,8 @@ struct DrawnLine {
   double tension = 0;  ///< [N]
   double length = 0;   ///< Unstretched [m].
   bool broken = false;
-  /// Places of its nodes [m, W], from its first end to its second; only of lines by MoorDyn.
+  /// Places of its nodes [m, W], from its first end to its second: of a line with inertia that is
+  /// not broken, as far as they are known.
   std::vector<Eigen::Vector3d> nodes_W = {};
 
   bool operator==(const DrawnLine&) const = default;
@@ -33,7 +34,6 @@ struct DrawnPropeller {
 /// All of a simulation, in the order of the specification.
 struct DrawnRig {
   std::vector<DrawnLine> lines;
-  std::vector<DrawnLine> moordyn;  ///< The lines that MoorDyn computes, as far as they are known.
   std::vector<DrawnPropeller> propellers;
   std::vector<double> foil_angles;  ///< [rad]
 
@@ -43,12 +43,12 @@ struct DrawnRig {
 DrawnRig drawn_rig(const engine::RigReadings& readings);
 
 /// State of lines and machines without readings: lines have their initial lengths and the tensions
-/// that these have at rest, machines their initial settings; lines by MoorDyn are not known.
+/// that these have at rest, machines their initial settings; nodes of lines are not known.
 DrawnRig rig_at_rest(const engine::SimulationSpec& spec,
                      const std::vector<hydro::BodyState>& states, double time);
 
 /// Returns the rig at a time between two others, linear in `part` from 0 to 1. A line is broken as
-/// at the later time, and lines by MoorDyn are known if they are at both.
+/// at the later time, and its nodes are known if they are at both.
 DrawnRig between(const DrawnRig& a, const DrawnRig& b, double part);
 
 /// Returns the place of an attachment point [m, W].

@@ -53,32 +53,24 @@ std::vector<double> turns_of(const Rows& rows) {
 
 RigHistory::RigHistory(const engine::SimulationSpec& spec, const std::filesystem::path& trajectory)
     : spec_(spec) {
-  if (!spec.lines.empty() || spec.moordyn) lines_ = read_table(trajectory, lines_layout());
-  if (spec.moordyn) nodes_ = read_table(trajectory, line_nodes_layout());
+  if (!spec.lines.empty()) lines_ = read_table(trajectory, lines_layout());
+  if (has_nodes(spec)) nodes_ = read_table(trajectory, line_nodes_layout());
   if (!spec.propellers.empty() || !spec.foils.empty())
     machines_ = read_table(trajectory, machines_layout());
   for (const engine::PropellerSpec& propeller : spec.propellers)
     turns_.push_back(turns_of(Rows(machines_, log_name(propeller))));
 }
 
-std::vector<DrawnLine> RigHistory::moordyn_at(double time) const {
-  std::vector<DrawnLine> lines;
-  for (const engine::MoorDynSpec::Line& spec : spec_.moordyn->lines) {
-    const Rows rows(lines_, log_name(spec));
+std::vector<Eigen::Vector3d> RigHistory::nodes_at(const engine::LineSpec& line, double time) const {
+  std::vector<Eigen::Vector3d> nodes_W;
+  for (std::size_t i = 0; i < node_count(line); ++i) {
+    const Rows rows(nodes_, node_name(line, i));
     const auto row = rows.row_at(time);
     if (!row) return {};
-    DrawnLine& line = lines.emplace_back();
-    line.tension = rows.number("tension", *row);
-    line.length = rows.number("length", *row);
-    for (int i = 0; i <= spec.segments; ++i) {
-      const Rows node(nodes_, node_name(spec, i));
-      const auto at = node.row_at(time);
-      if (!at) return {};
-      line.nodes_W.emplace_back(node.number("x", *at), node.number("y", *at),
-                                node.number("z", *at));
-    }
+    nodes_W.emplace_back(rows.number("x", *row), rows.number("y", *row), rows.number("z", *row));
+    if (nodes_W.back().hasNaN()) return {};
   }
-  return lines;
+  return nodes_W;
 }
 
 DrawnRig RigHistory::at(double time, const std::vector<hydro::BodyState>& states) const {
@@ -89,8 +81,8 @@ DrawnRig RigHistory::at(double time, const std::vector<hydro::BodyState>& states
       rig.lines[i] = {.tension = rows.number("tension", *row),
                       .length = rows.number("length", *row),
                       .broken = rows.number("broken", *row) != 0};
+    rig.lines[i].nodes_W = nodes_at(spec_.lines[i], time);
   }
-  if (spec_.moordyn) rig.moordyn = moordyn_at(time);
   for (std::size_t i = 0; i < spec_.propellers.size(); ++i) {
     const Rows rows(machines_, log_name(spec_.propellers[i]));
     if (const auto row = rows.row_at(time))

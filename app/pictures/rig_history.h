@@ -23,8 +23,9 @@ class RigHistory {
   DrawnRig at(double time, const std::vector<hydro::BodyState>& states) const;
 
  private:
-  /// Returns the lines by MoorDyn; none if they were not logged.
-  std::vector<DrawnLine> moordyn_at(double time) const;
+  /// Returns the places of a line's nodes [m, W]; none if they were not logged, as those of a
+  /// broken line.
+  std::vector<Eigen::Vector3d> nodes_at(const engine::LineSpec& line, double time) const;
 
   const engine::SimulationSpec& spec_;
   std::optional<TableRows> lines_, nodes_, machines_;

@@ -225,13 +225,6 @@ double line_radius(const engine::SimulationSpec& spec, const LineSpec& line) {
   return kLineShare * least_size(spec, line.first.body, line.second.body);
 }
 
-double moordyn_radius(const engine::SimulationSpec& spec) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const engine::AttachmentPoint& point : spec.moordyn->points)
-    least = std::min(least, kLineShare * least_size(spec, point.body, point.body));
-  return least;
-}
-
 double broken_length(const engine::SimulationSpec& spec, const LineSpec& line) {
   return std::min(line.length / 3, 0.3 * least_size(spec, line.first.body, line.second.body));
 }

@@ -37,12 +37,9 @@ struct RigPart {
 /// `joints` also pins, balls and bars of the joints.
 std::vector<RigPart> rig_parts(const engine::SimulationSpec& spec, bool joints);
 
-/// The drawn radius of a line [m]: of a mooring half the diameter of its drag, else in proportion
-/// to the smaller body that it holds.
+/// The drawn radius of a line [m]: half the diameter for its drag if it has one, else in
+/// proportion to the smaller body that it holds.
 double line_radius(const engine::SimulationSpec& spec, const engine::LineSpec& line);
-
-/// The drawn radius of lines by MoorDyn [m]: in proportion to the smallest body that they hold.
-double moordyn_radius(const engine::SimulationSpec& spec);
 
 /// The length that hangs from each body of a broken line [m]: a third of it, up to a limit.
 double broken_length(const engine::SimulationSpec& spec, const engine::LineSpec& line);

@@ -55,6 +55,13 @@ Eigen::Matrix3Xd mooring_shape(const LineSpec& line, double length, const Vector
   return points;
 }
 
+Eigen::Matrix3Xd points_of(const std::vector<Vector3d>& nodes_W) {
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(nodes_W.size()));
+  for (std::size_t i = 0; i < nodes_W.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = nodes_W[i];
+  return points;
+}
+
 }  // namespace
 
 Vector3d tension_color(double share) {
@@ -67,6 +74,7 @@ Vector3d tension_color(double share) {
 Eigen::Matrix3Xd shape_of(const LineSpec& line, const DrawnLine& now,
                           const std::vector<hydro::BodyState>& states, const GroundHeight& ground,
                           double radius) {
+  if (!now.nodes_W.empty()) return points_of(now.nodes_W);
   const Vector3d first = place_of(line.first, states), second = place_of(line.second, states);
   if (line.kind == LineSpec::Kind::mooring) return mooring_shape(line, now.length, first, second);
   Eigen::Matrix3Xd points =
@@ -75,22 +83,14 @@ Eigen::Matrix3Xd shape_of(const LineSpec& line, const DrawnLine& now,
   return points;
 }
 
-Eigen::Matrix3Xd points_of(const DrawnLine& line) {
-  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(line.nodes_W.size()));
-  for (std::size_t i = 0; i < line.nodes_W.size(); ++i)
-    points.col(static_cast<Eigen::Index>(i)) = line.nodes_W[i];
-  return points;
-}
-
 RigPictures::RigPictures(const engine::SimulationSpec& spec, bool joints)
     : spec_(spec), ground_(spec.ground), parts_(rig_parts(spec, joints)) {}
 
 void RigPictures::include(const Shot& shot) {
-  for (const std::vector<DrawnLine>* lines : {&shot.rig.lines, &shot.rig.moordyn})
-    for (const DrawnLine& line : *lines) {
-      largest_ = std::max(largest_, std::abs(line.tension));
-      pushes_ = pushes_ || line.tension < 0;
-    }
+  for (const DrawnLine& line : shot.rig.lines) {
+    largest_ = std::max(largest_, std::abs(line.tension));
+    pushes_ = pushes_ || line.tension < 0;
+  }
 }
 
 Vector3d RigPictures::color_of(const DrawnLine& line) const {
@@ -135,9 +135,6 @@ render::Rigging RigPictures::of(const Shot& shot) const {
     rigging.parts.push_back({.mesh_P = part.mesh_P, .X_WP = pose, .color = part.color});
   }
   for (std::size_t i = 0; i < spec_.lines.size(); ++i) add_line(i, shot, rigging);
-  for (const DrawnLine& line : shot.rig.moordyn)
-    rigging.tubes.push_back(
-        {.points_W = points_of(line), .radius = moordyn_radius(spec_), .color = color_of(line)});
   return rigging;
 }
 

@@ -22,14 +22,11 @@ namespace app {
 /// Colour of a share of the largest tension, −1 … 1; RGB 0 … 1.
 Eigen::Vector3d tension_color(double share);
 
-/// Returns the shape of a line that is not broken, from its first end to its second [m, W]. A
-/// spring is straight here.
+/// Returns the shape of a line that is not broken, from its first end to its second [m, W]: its
+/// nodes if they are known, else its shape at rest. A spring is straight here.
 Eigen::Matrix3Xd shape_of(const engine::LineSpec& line, const DrawnLine& now,
                           const std::vector<hydro::BodyState>& states, const GroundHeight& ground,
                           double radius);
-
-/// Returns the nodes of a line by MoorDyn, from its first end to its second [m, W].
-Eigen::Matrix3Xd points_of(const DrawnLine& line);
 
 /// Finds the rigging of each picture of a sequence.
 class RigPictures {
@@ -38,7 +35,7 @@ class RigPictures {
   RigPictures(const engine::SimulationSpec& spec, bool joints);
 
   /// True if the colours depend on the shots that are included.
-  bool has_lines() const { return !spec_.lines.empty() || spec_.moordyn; }
+  bool has_lines() const { return !spec_.lines.empty(); }
 
   /// Extends the scale of tensions to those in a shot.
   void include(const Shot& shot);

@@ -25,7 +25,7 @@ constexpr std::size_t kStateSize = std::tuple_size_v<StateRow>;
 }
 
 /// Numbers at the start of a shot: the time, the flags for frames and video, the numbers of waters,
-/// lines, propellers and foils, and how many numbers the lines by MoorDyn and the water have.
+/// lines, propellers and foils, and how many numbers the nodes of lines and the water have.
 constexpr std::size_t kHeadSize = 9;
 
 /// Numbers of the bodies' waves before the heights: cell, origin, heights along a side, and the
@@ -35,14 +35,12 @@ constexpr std::size_t kPatchSize = 5;
 /// Numbers of the water in a pocket: the body, a point, the level, and whether it is flooded.
 constexpr std::size_t kWaterSize = 6;
 
-/// Numbers of a line: tension, length, and whether it is broken.
-constexpr std::size_t kLineSize = 3;
+/// Numbers of a line: tension, length, whether it is broken, and how many nodes it has. The places
+/// of the nodes of all lines follow the foils.
+constexpr std::size_t kLineSize = 4;
 
 /// Numbers of a propeller: turn and azimuth.
 constexpr std::size_t kPropellerSize = 2;
-
-/// Numbers of a line by MoorDyn before its nodes: tension, length, and how many nodes it has.
-constexpr std::size_t kMoorDynSize = 3;
 
 using Numbers = std::vector<double>;
 
@@ -80,9 +78,9 @@ std::size_t count_waters(const render::Interiors& interiors) {
   return waters;
 }
 
-std::size_t count_moordyn(const DrawnRig& rig) {
+std::size_t numbers_of_nodes(const DrawnRig& rig) {
   std::size_t numbers = 0;
-  for (const DrawnLine& line : rig.moordyn) numbers += kMoorDynSize + 3 * line.nodes_W.size();
+  for (const DrawnLine& line : rig.lines) numbers += 3 * line.nodes_W.size();
   return numbers;
 }
 
@@ -99,7 +97,7 @@ Numbers numbers_of(const Shot& shot) {
                      static_cast<double>(shot.rig.lines.size()),
                      static_cast<double>(shot.rig.propellers.size()),
                      static_cast<double>(shot.rig.foil_angles.size()),
-                     static_cast<double>(count_moordyn(shot.rig)),
+                     static_cast<double>(numbers_of_nodes(shot.rig)),
                      static_cast<double>(count_patch(shot))};
   for (const hydro::BodyState& state : shot.states) {
     const StateRow row = row_of(state);
@@ -110,16 +108,14 @@ Numbers numbers_of(const Shot& shot) {
       numbers.insert(numbers.end(), {static_cast<double>(i), water.at_W.x(), water.at_W.y(),
                                      water.at_W.z(), water.level, water.flooded ? 1.0 : 0.0});
   for (const DrawnLine& line : shot.rig.lines)
-    numbers.insert(numbers.end(), {line.tension, line.length, line.broken ? 1.0 : 0.0});
+    numbers.insert(numbers.end(), {line.tension, line.length, line.broken ? 1.0 : 0.0,
+                                   static_cast<double>(line.nodes_W.size())});
   for (const DrawnPropeller& propeller : shot.rig.propellers)
     numbers.insert(numbers.end(), {propeller.turn, propeller.azimuth});
   numbers.insert(numbers.end(), shot.rig.foil_angles.begin(), shot.rig.foil_angles.end());
-  for (const DrawnLine& line : shot.rig.moordyn) {
-    numbers.insert(numbers.end(),
-                   {line.tension, line.length, static_cast<double>(line.nodes_W.size())});
+  for (const DrawnLine& line : shot.rig.lines)
     for (const Eigen::Vector3d& node : line.nodes_W)
       numbers.insert(numbers.end(), node.begin(), node.end());
-  }
   if (shot.water) add_patch(*shot.water, numbers);
   return numbers;
 }
@@ -127,20 +123,19 @@ Numbers numbers_of(const Shot& shot) {
 std::size_t count_of(double number) { return static_cast<std::size_t>(number); }
 
 void read_rig(const double* head, const double* next, DrawnRig& rig) {
-  for (std::size_t i = 0; i < count_of(head[4]); ++i, next += kLineSize)
+  for (std::size_t i = 0; i < count_of(head[4]); ++i, next += kLineSize) {
     rig.lines.push_back({.tension = next[0], .length = next[1], .broken = next[2] != 0});
+    rig.lines.back().nodes_W.resize(count_of(next[3]));
+  }
   for (std::size_t i = 0; i < count_of(head[5]); ++i, next += kPropellerSize)
     rig.propellers.push_back({.turn = next[0], .azimuth = next[1]});
   rig.foil_angles.assign(next, next + count_of(head[6]));
   next += count_of(head[6]);
-  for (const double* end = next + count_of(head[7]); next < end;) {
-    DrawnLine& line = rig.moordyn.emplace_back();
-    line.tension = next[0];
-    line.length = next[1];
-    const std::size_t nodes = count_of(next[2]);
-    next += kMoorDynSize;
-    for (std::size_t i = 0; i < nodes; ++i, next += 3) line.nodes_W.emplace_back(next);
-  }
+  for (DrawnLine& line : rig.lines)
+    for (Eigen::Vector3d& node : line.nodes_W) {
+      node = Eigen::Vector3d(next);
+      next += 3;
+    }
 }
 
 /// Fills in what follows the head of a shot.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -119,20 +118,6 @@ void add_lines(const TableRows& table, Entries& entries) {
                 {{"name", name},
                  {"bodies", bodies_of({line.first.body, line.second.body})},
                  {"broken_at", time_broken(table, name)}},
-                columns);
-  }
-  if (!entries.spec().moordyn) return;
-  std::set<engine::BodyId> moored;
-  for (const engine::AttachmentPoint& point : entries.spec().moordyn->points)
-    moored.insert(point.body);
-  for (const engine::MoorDynSpec::Line& line : entries.spec().moordyn->lines) {
-    const std::string name = log_name(line);
-    Columns columns = entries.columns(table, name);
-    columns.add("tension", "tension").add("distance", "distance").add("length", "length");
-    entries.add("lines",
-                {{"name", name},
-                 {"bodies", bodies_of({moored.begin(), moored.end()})},
-                 {"broken_at", nullptr}},
                 columns);
   }
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/logs/read_log.h"
 #include "app/pages/packing.h"
@@ -32,9 +33,8 @@ struct Instants {
 
 Instants instants_of(const LoggedRun& run, const PageLimits& limits) {
   const engine::SimulationSpec& spec = run.built.spec;
-  const std::size_t lines = spec.lines.size() + (spec.moordyn ? spec.moordyn->lines.size() : 0);
   const std::size_t a_row =
-      lines * (3 * kShapePoints) + 2 * spec.propellers.size() + spec.foils.size() + 1;
+      spec.lines.size() * (3 * kShapePoints) + 2 * spec.propellers.size() + spec.foils.size() + 1;
   const RigHistory history(spec, trajectory_of(run.path));
   Instants instants;
   for (const std::size_t row :
@@ -96,6 +96,28 @@ Json shapes_of(const engine::SimulationSpec& spec, std::size_t line, const Insta
   return bent ? Json(packed<float>(off)) : Json(nullptr);
 }
 
+/// Returns the places of `kShapePoints` points of a line with inertia at each instant; null if its
+/// nodes are known at none. A line that breaks keeps the places of the instant before.
+Json path_of(const engine::SimulationSpec& spec, std::size_t line, const Instants& instants,
+             const Vector3d& origin, const GroundHeight& ground) {
+  if (!spec.lines[line].inertia) return nullptr;
+  const double radius = line_radius(spec, spec.lines[line]);
+  std::vector<float> path;
+  Eigen::Matrix3Xf even;
+  bool known = false;
+  for (std::size_t i = 0; i < instants.times.size(); ++i) {
+    const DrawnLine& now = instants.rigs[i].lines[line];
+    known = known || !now.nodes_W.empty();
+    if (i == 0 || !now.broken) {
+      const Eigen::Matrix3Xd points =
+          shape_of(spec.lines[line], now, instants.states[i], ground, radius);
+      even = (evenly(points).colwise() - origin).cast<float>();
+    }
+    path.insert(path.end(), even.data(), even.data() + even.size());
+  }
+  return known ? Json(packed<float>(path)) : Json(nullptr);
+}
+
 Json end_of(const engine::AttachmentPoint& end, const Vector3d& origin) {
   const bool fixed = end.body == engine::kWorld;
   return {{"body", end.body}, {"at", numbers(fixed ? Vector3d(end.at - origin) : end.at)}};
@@ -110,37 +132,18 @@ Json page_line(const engine::SimulationSpec& spec, std::size_t index, const Inst
       {"hanging", broken_length(spec, line)},
       {"tension", packed_column(over_time(
                       instants, [&](const DrawnRig& rig) { return rig.lines[index].tension; }))},
-      {"broken",
-       packed_column(over_time(
-           instants, [&](const DrawnRig& rig) { return rig.lines[index].broken ? 1.0 : 0.0; }))},
-      {"shape", shapes_of(spec, index, instants, ground)}};
+      {"broken", packed_column(over_time(instants, [&](const DrawnRig& rig) {
+         return rig.lines[index].broken ? 1.0 : 0.0;
+       }))}};
+  if (Json path = path_of(spec, index, instants, origin, ground); !path.is_null())
+    page["path"] = std::move(path);
+  else
+    page["shape"] = shapes_of(spec, index, instants, ground);
   if (line.kind == engine::LineSpec::Kind::spring) {
     const Coil coil = coil_of(spec, line);
     page["coil"] = {{"radius", coil.radius}, {"turns", coil.turns}};
   }
   return page;
-}
-
-/// The lines by MoorDyn: `path` has the places of `kShapePoints` points at each instant. None if
-/// they are not known at all instants.
-void add_moordyn(const engine::SimulationSpec& spec, const Instants& instants,
-                 const Vector3d& origin, Json& lines) {
-  if (!spec.moordyn) return;
-  for (const DrawnRig& rig : instants.rigs)
-    if (rig.moordyn.empty()) return;
-  for (std::size_t i = 0; i < spec.moordyn->lines.size(); ++i) {
-    std::vector<float> path;
-    for (const DrawnRig& rig : instants.rigs) {
-      const Eigen::Matrix3Xf even =
-          (evenly(points_of(rig.moordyn[i])).colwise() - origin).cast<float>();
-      path.insert(path.end(), even.data(), even.data() + even.size());
-    }
-    lines.push_back({{"name", std::to_string(spec.moordyn->lines[i].number)},
-                     {"path", packed<float>(path)},
-                     {"tension", packed_column(over_time(instants, [&](const DrawnRig& rig) {
-                        return rig.moordyn[i].tension;
-                      }))}});
-  }
 }
 
 /// The turns of a part about its place, the last one first.
@@ -204,13 +207,12 @@ Json page_rigging(const LoggedRun& run, const Vector3d& origin, const PageLimits
   const engine::SimulationSpec& spec = run.built.spec;
   const bool joints = run.scene.render && run.scene.render->show.joints;
   const std::vector<RigPart> rig = rig_parts(spec, joints);
-  if (spec.lines.empty() && rig.empty() && !spec.moordyn) return nullptr;
+  if (spec.lines.empty() && rig.empty()) return nullptr;
   const Instants instants = instants_of(run, limits);
   const GroundHeight ground(spec.ground);
   Json lines = Json::array(), parts = Json::array();
   for (std::size_t i = 0; i < spec.lines.size(); ++i)
     lines.push_back(page_line(spec, i, instants, origin, ground));
-  add_moordyn(spec, instants, origin, lines);
   for (const RigPart& part : rig) parts.push_back(page_part(spec, part, instants, origin));
   return {{"times", packed<double>(instants.times)},
           {"points", kShapePoints},

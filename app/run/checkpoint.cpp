@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The first key of the head, whose value changes with the layout.
-constexpr int kFormat = 7;
+constexpr int kFormat = 8;
 
 Json to_json(const FilePosition& position) {
   return {{"bytes", position.bytes}, {"hash", position.hash}};
@@ -113,6 +113,25 @@ void add(const engine::ControlSpec& control, Digest& digest) {
   digest.add(identity.data(), identity.size());
 }
 
+void add(const engine::AttachmentPoint& point, Digest& digest) {
+  digest.add(point.body);
+  digest.add(point.at);
+}
+
+/// A line with inertia may come from a file, which may change.
+void add(const engine::LineSpec& line, Digest& digest) {
+  if (!line.inertia) return;
+  digest.add(line.name.data(), line.name.size());
+  add(line.first, digest);
+  add(line.second, digest);
+  for (const double number :
+       {line.length, line.stiffness, line.damping, line.weight, line.friction, line.drag_diameter,
+        line.drag_coefficient, line.inertia->mass, line.inertia->drag_along,
+        line.inertia->added_mass, line.inertia->bottom})
+    digest.add(number);
+  digest.add(line.inertia->segments);
+}
+
 /// The waves of a body may come from a file, which may change.
 void add(const hydro::RadiationData& data, Digest& digest) {
   digest.add(data.infinite_added_mass);
@@ -153,7 +172,7 @@ std::string digest_of(const engine::SimulationSpec& spec) {
   if (const auto* mesh = std::get_if<engine::MeshGround>(&spec.ground))
     digest.add(mesh->mesh_W.vertices);
   for (const engine::ControlSpec& control : spec.controls) add(control, digest);
-  if (spec.moordyn) digest.add(spec.moordyn->text.data(), spec.moordyn->text.size());
+  for (const engine::LineSpec& line : spec.lines) add(line, digest);
   if (!spec.sea) return digest.text();
   if (const auto* field = std::get_if<hydro::HeightField>(&spec.sea->surface))
     digest.add(field->heights);

@@ -29,8 +29,7 @@ bool is_driven(const engine::SimulationSpec& spec, engine::BodyId id) {
   };
   return !spec.bodies[static_cast<std::size_t>(id)].loads.empty() ||
          std::ranges::any_of(spec.propellers, on_it) || std::ranges::any_of(spec.foils, on_it) ||
-         std::ranges::any_of(spec.joints, pulls) || std::ranges::any_of(spec.lines, held) ||
-         (spec.moordyn && std::ranges::any_of(spec.moordyn->points, on_it));
+         std::ranges::any_of(spec.joints, pulls) || std::ranges::any_of(spec.lines, held);
 }
 
 /// Returns true if the body is lighter than the water that it can displace.

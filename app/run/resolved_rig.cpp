@@ -10,7 +10,6 @@
 #include "app/assembly/build_rig.h"
 #include "app/base/console.h"
 #include "app/base/table.h"
-#include "engine/rig/moordyn/moordyn_system.h"
 
 namespace app {
 namespace {
@@ -39,6 +38,16 @@ const char* kind_text(engine::LineSpec::Kind kind) {
   return "mooring";
 }
 
+/// Says between what a line runs, and into how many segments its inertia is divided.
+std::string way_text(const engine::SimulationSpec& spec, const engine::LineSpec& line) {
+  std::string text = body_text(spec, line.first.body) + " to ";
+  text +=
+      line.kind == engine::LineSpec::Kind::mooring ? "anchor" : body_text(spec, line.second.body);
+  if (!line.inertia) return text;
+  const auto segments = static_cast<std::size_t>(line.inertia->segments);
+  return text + ", dynamic, " + counted(segments, "segment", "segments");
+}
+
 Cells line_row(const engine::SimulationSpec& spec, const engine::LineSpec& line) {
   const double span =
       (assembly::place_at_start(spec, line.second) - assembly::place_at_start(spec, line.first))
@@ -46,8 +55,7 @@ Cells line_row(const engine::SimulationSpec& spec, const engine::LineSpec& line)
   const bool mooring = line.kind == engine::LineSpec::Kind::mooring;
   return {line.name,
           kind_text(line.kind),
-          body_text(spec, line.first.body) + (mooring ? " to anchor" : " to ") +
-              (mooring ? "" : body_text(spec, line.second.body)),
+          way_text(spec, line),
           three_digits(line.length),
           three_digits(span),
           three_digits(mooring ? line.stiffness / line.length : line.stiffness),
@@ -117,11 +125,6 @@ std::vector<std::string> resolved_rig(const scene::Scene& scene,
   std::vector<Cells> of_lines = {
       Cells{"line", "", "", "length m", "distance m", "stiffness N/m", "tension N"}};
   for (const engine::LineSpec& line : spec.lines) of_lines.push_back(line_row(spec, line));
-  if (spec.moordyn)
-    for (const engine::MoorDynSpec::Line& line : spec.moordyn->lines)
-      of_lines.push_back({std::to_string(line.number), "mooring",
-                          "by MoorDyn " + engine::moordyn_version(), three_digits(line.length), "",
-                          "", ""});
   add_table(std::move(of_lines), "more line", "more lines", lines);
 
   std::vector<Cells> machines = {Cells{"machine", "", "body", "size m", "speed", "angle deg"}};

@@ -59,8 +59,7 @@ std::string headline(const scene::Scene& scene, const assembly::BuiltScene& buil
   std::string text = fmt::format("{}: {}", scene.file.stem().string(),
                                  counted(spec.bodies.size(), "body", "bodies"));
   if (!spec.joints.empty()) text += ", " + counted(spec.joints.size(), "joint", "joints");
-  const std::size_t lines = spec.lines.size() + (spec.moordyn ? spec.moordyn->lines.size() : 0);
-  if (lines > 0) text += ", " + counted(lines, "line", "lines");
+  if (!spec.lines.empty()) text += ", " + counted(spec.lines.size(), "line", "lines");
   const std::size_t machines = spec.propellers.size() + spec.foils.size();
   if (machines > 0) text += ", " + counted(machines, "machine", "machines");
   return text + fmt::format("; {:g} s in steps of {:.4g} s; {}{}; {}", scene.duration, scene.step,

@@ -86,10 +86,8 @@ void RigTotals::add(double time, const engine::SimulationSpec& spec,
   if (readings_ == 0) start_ = time;
   latest_ = time;
   ++readings_;
-  lines_.resize(readings.lines.size() + readings.moordyn.size());
-  std::size_t next = 0;
-  for (const engine::LineReading& reading : readings.lines) lines_[next++].add(time, reading);
-  for (const engine::LineReading& reading : readings.moordyn) lines_[next++].add(time, reading);
+  lines_.resize(readings.lines.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) lines_[i].add(time, readings.lines[i]);
   propellers_.resize(readings.propellers.size());
   for (std::size_t i = 0; i < propellers_.size(); ++i) {
     const engine::PropellerReading& reading = readings.propellers[i];
@@ -139,11 +137,10 @@ void RigTotals::restore(const Json& state) {
 
 Json RigTotals::lines(const engine::SimulationSpec& spec) const {
   Json all = Json::object();
-  const std::vector<std::string> names = line_names(spec);
   for (std::size_t i = 0; i < lines_.size(); ++i)
-    all[names[i]] = {{"tension_max", lines_[i].most},
-                     {"at", lines_[i].at},
-                     {"broken_at", or_null(lines_[i].broken)}};
+    all[log_name(spec.lines[i])] = {{"tension_max", lines_[i].most},
+                                    {"at", lines_[i].at},
+                                    {"broken_at", or_null(lines_[i].broken)}};
   return all;
 }
 

@@ -18,7 +18,7 @@ class RigTotals {
  public:
   /// True if the simulation has something to sum up.
   static bool sums_up(const engine::SimulationSpec& spec) {
-    return !spec.lines.empty() || spec.moordyn || !spec.propellers.empty() ||
+    return !spec.lines.empty() || !spec.propellers.empty() ||
            std::ranges::any_of(spec.joints, has_coordinate);
   }
 

@@ -35,7 +35,7 @@ std::string keys_to_change(const StepCost& cost, const engine::SimulationSpec& s
 }  // namespace
 
 std::optional<StepCost> measured_cost(engine::Simulation& simulation) {
-  if (simulation.spec().moordyn || simulation.spec().bodies.empty()) return std::nullopt;
+  if (simulation.spec().bodies.empty()) return std::nullopt;
   const engine::SimulationState start = simulation.state();
   const engine::Timings before = simulation.timings();
   const WallClock clock;

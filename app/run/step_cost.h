@@ -15,7 +15,7 @@ struct StepCost {
 };
 
 /// Takes the first steps of a simulation, for about a tenth of a second, and puts its state back.
-/// @return none where a step fails, or where lines by MoorDyn would have to be put back, too
+/// @return none where a step fails, and of a scene without bodies
 std::optional<StepCost> measured_cost(engine::Simulation& simulation);
 
 /// `12 ms a step, 1.4 x real time, 95 % of it loads`, with the keys to change where that is slower

@@ -14,7 +14,6 @@
 #include "app/base/json_rows.h"
 #include "app/base/output_error.h"
 #include "app/logs/run_source.h"
-#include "engine/rig/moordyn/moordyn_system.h"
 #include "hydro/added_mass/surface_added_mass.h"
 #include "hydro/resistance/thin_ship.h"
 #include "hydro/statics/equilibrium.h"
@@ -184,13 +183,15 @@ Json to_json(const assembly::IrregularSea& sea) {
   return json;
 }
 
-/// Says what computes the moorings; empty if there are none.
+/// Says whether moorings are at rest at every instant or have inertia; empty if there are none.
 std::string model_of_moorings(const engine::SimulationSpec& spec) {
-  if (spec.moordyn) return "moordyn " + engine::moordyn_version();
-  const bool any = std::ranges::any_of(spec.lines, [](const engine::LineSpec& line) {
-    return line.kind == engine::LineSpec::Kind::mooring;
-  });
-  return any ? "catenary" : "";
+  const auto any = [&](bool dynamic) {
+    return std::ranges::any_of(spec.lines, [&](const engine::LineSpec& line) {
+      return line.kind == engine::LineSpec::Kind::mooring && line.inertia.has_value() == dynamic;
+    });
+  };
+  if (any(false)) return any(true) ? "catenary and dynamic" : "catenary";
+  return any(true) ? "dynamic" : "";
 }
 
 /// Returns the summaries of all bodies by their names. Each name is another, so that none is looked
@@ -242,7 +243,7 @@ Json to_json(const RunSummary& s) {
        {"skipped",
         {{"collision", s.skips.collision},
          {"water", s.skips.water},
-         {"lines", spec.lines.empty() && !spec.moordyn},
+         {"lines", spec.lines.empty()},
          {"machines", spec.propellers.empty() && spec.foils.empty()},
          {"controls", spec.controls.empty()},
          {"pictures", s.pictures_skipped.empty() ? Json(false) : Json(s.pictures_skipped)}}}});
@@ -253,7 +254,7 @@ Json to_json(const RunSummary& s) {
     for (std::size_t i = 0; i < spec.joints.size(); ++i)
       json["joints"][spec.joints[i].name].update(s.rig.joint(spec, i));
   }
-  if (!spec.lines.empty() || spec.moordyn) json["lines"] = s.rig.lines(spec);
+  if (!spec.lines.empty()) json["lines"] = s.rig.lines(spec);
   if (const std::string moorings = model_of_moorings(spec); !moorings.empty())
     json["moorings"] = moorings;
   if (!spec.propellers.empty()) json["machines"] = s.rig.machines(spec);

@@ -33,14 +33,6 @@ std::string advice_for(const std::string& name, const std::vector<std::string>& 
   return ", expected " + app::enumerate(known, "or");
 }
 
-/// Height of the bottom, as far as the scene file says it [m].
-std::optional<double> bottom_of(const Scene& scene) {
-  if (const auto* plane = std::get_if<PlaneGround>(&scene.ground)) return plane->z;
-  if (!std::holds_alternative<std::monostate>(scene.ground)) return std::nullopt;
-  if (scene.water && scene.water->depth) return scene.water->level - *scene.water->depth;
-  return std::nullopt;
-}
-
 /// Checks of one scene's lines, machines and controls.
 class RigCheck {
  public:
@@ -102,8 +94,10 @@ class RigCheck {
       const std::string path = fmt::format("moorings[{}]", i);
       check_body(path + ".body", scene_.moorings[i].body);
       check_anchor(path, scene_.moorings[i]);
-      if (scene_.moorings[i].drag_diameter > 0) need_water(path + ".drag");
+      if (scene_.moorings[i].drag.diameter > 0) need_water(path + ".drag");
     }
+    for (std::size_t i = 0; i < scene_.ropes.size(); ++i)
+      if (scene_.ropes[i].drag.diameter > 0) need_water(fmt::format("ropes[{}].drag", i));
     if (!scene_.moordyn) return;
     for (std::size_t i = 0; i < scene_.moordyn->bodies.size(); ++i)
       check_body(fmt::format("moorings.bodies[{}]", i), scene_.moordyn->bodies[i]);
@@ -272,6 +266,13 @@ class RigCheck {
 };
 
 }  // namespace
+
+std::optional<double> bottom_of(const Scene& scene) {
+  if (const auto* plane = std::get_if<PlaneGround>(&scene.ground)) return plane->z;
+  if (!std::holds_alternative<std::monostate>(scene.ground)) return std::nullopt;
+  if (scene.water && scene.water->depth) return scene.water->level - *scene.water->depth;
+  return std::nullopt;
+}
 
 void check_rig(MapReader& map, const Scene& scene) { RigCheck(map, scene).all(); }
 

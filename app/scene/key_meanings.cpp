@@ -60,8 +60,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"springs", "Springs with dampers between two points."},
     {"ropes", "Ropes and winches between two points. They only pull."},
     {"moorings",
-     "Mooring lines: a list of elastic catenaries at rest between a body and an anchor, or a map "
-     "that names a file of MoorDyn."},
+     "Mooring lines between a body and an anchor: a list, or a map that names a file for MoorDyn."},
     {"propellers", "Propellers and thrusters. They need `water`."},
     {"rudders", "Rudders, fins and keels: foils in the water. They need `water`."},
     {"sails", "Sails: foils in the wind. They need `air`."},

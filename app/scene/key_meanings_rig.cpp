@@ -118,6 +118,23 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "Speed at which a winch pays out rope; a negative one hauls in. It is the first value of "
      "the set point `ropes[NAME].rate`."},
     {"ropes[].shortest", "Least length to which the winch hauls in."},
+    {"ropes[].weight",
+     "Weight per length in water; a negative one floats. The rope then [has "
+     "inertia](#lines-with-inertia), "
+     "hangs and lies on a flat bottom. Without this key it is straight, without weight."},
+    {"ropes[].mass",
+     "Mass per length in air. The default follows from the weight and what the `diameter` of its "
+     "drag "
+     "displaces."},
+    {"ropes[].segments", "Straight parts into which it is divided."},
+    {"ropes[].drag", "What the water does to its motion. Without this block it does nothing."},
+    {"ropes[].drag.diameter", "Diameter of the rope."},
+    {"ropes[].drag.coefficient", "Drag coefficient across the rope."},
+    {"ropes[].drag.along",
+     "Drag coefficient along the rope, of its surface; 0.05 without this key."},
+    {"ropes[].drag.added_mass",
+     "Added mass across the rope over the mass of the water that it displaces; 1 without this "
+     "key."},
     {"moorings[].name",
      "Name of the mooring in logs and controls, unique among the moorings. It must not contain"
      " a comma, a double quote, a bracket or a control character."},
@@ -134,15 +151,27 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
      "Whether a flat bottom at the height of the anchor carries the line. With `false` it "
      "hangs free between its ends."},
     {"moorings[].drag",
-     "Drag of the water on the line, of which half acts at the fairlead. Without this block "
-     "there is none."},
+     "Drag of the water on the line, of which half acts at the fairlead of a `static` one. Without "
+     "this block there is none."},
     {"moorings[].drag.diameter", "Diameter of the line for its drag."},
     {"moorings[].drag.coefficient", "Drag coefficient across the line."},
+    {"moorings[].drag.along",
+     "Drag coefficient along a `dynamic` line, of its surface; 0.05 without this key."},
+    {"moorings[].drag.added_mass",
+     "Added mass across a `dynamic` line over the mass of the water that it displaces; 1 without "
+     "this key."},
+    {"moorings[].model",
+     "`static`: the line is an elastic catenary at rest at every instant. `dynamic`: it [has "
+     "inertia](#lines-with-inertia)."},
+    {"moorings[].segments", "Straight parts into which a `dynamic` line is divided."},
+    {"moorings[].mass",
+     "Mass per length of a `dynamic` line in air. The default follows from the weight and what the "
+     "`diameter` of its drag displaces."},
     {"moorings[].breaks_at",
      "Tension at the fairlead at which the line breaks for good. Without this key it does not "
      "break."},
     {"moorings.moordyn",
-     "Input file of MoorDyn v2. It needs a build [with MoorDyn](#lines-by-moordyn)."},
+     "Input file for MoorDyn, whose lines become [lines with inertia](#files-for-moordyn)."},
     {"moorings.bodies",
      "The bodies that carry the coupled points of the file, one for each of them in its order, or "
      "one for all."},

@@ -64,6 +64,7 @@ void read_drive(MapReader& map, std::optional<Joint::Type> type, JointDrive& dri
 void read(MapReader& map, Spring& spring);
 void read(MapReader& map, Rope& rope);
 void read(MapReader& map, Mooring& mooring);
+void read(MapReader& map, LineDrag& drag);
 void read(MapReader& map, MoorDyn& moordyn);
 void read(MapReader& map, Propeller& propeller);
 void read(MapReader& map, hydro::WageningenB& screw);

@@ -32,18 +32,33 @@ void read_tether(MapReader& map, Tether& tether, const char* among) {
   map.optional("breaks_at", tether.breaks_at, positive("N"));
 }
 
-/// The block `drag` of a mooring.
-struct LineDrag {
-  double diameter = 0;
-  double coefficient = 1.2;
-};
+constexpr int kMostSegments = 1000;
+
+/// Reads the keys of inertia where the line has it, or refuses them with the key that they need.
+void read_inertia(MapReader& map, const LineDrag& drag, std::optional<LineInertia>& inertia,
+                  const char* needed) {
+  LineInertia read;
+  map.optional("segments", read.segments, between(1, kMostSegments));
+  map.optional("mass", read.mass, positive("kg/m"));
+  if (inertia) {
+    inertia = read;
+    return;
+  }
+  for (const auto& [key, given] :
+       {std::pair("segments", map.has("segments")), std::pair("mass", map.has("mass")),
+        std::pair("drag.along", drag.along.has_value()),
+        std::pair("drag.added_mass", drag.added_mass.has_value())})
+    if (given) map.fault(key, fmt::format("is only used with {}", needed));
+}
+
+}  // namespace
 
 void read(MapReader& map, LineDrag& drag) {
   map.required("diameter", drag.diameter, positive("m"));
   map.optional("coefficient", drag.coefficient, not_negative());
+  map.optional("along", drag.along, not_negative());
+  map.optional("added_mass", drag.added_mass, not_negative());
 }
-
-}  // namespace
 
 void read(MapReader& map, Spring& spring) { read_tether(map, spring, "springs"); }
 
@@ -54,6 +69,12 @@ void read(MapReader& map, Rope& rope) {
   if (rope.length && rope.shortest > *rope.length)
     map.fault("shortest", fmt::format("found {:g}, expected at most the length of {:g} m",
                                       rope.shortest, *rope.length));
+  map.optional("weight", rope.weight, number("N/m"));
+  map.block("drag", rope.drag);
+  if (map.has("weight")) rope.inertia.emplace();
+  read_inertia(map, rope.drag, rope.inertia, "weight, which makes a rope hang");
+  if (map.has("drag") && !rope.inertia)
+    map.fault("drag", "is only used with weight, which makes a rope hang");
 }
 
 void read(MapReader& map, Mooring& mooring) {
@@ -66,11 +87,12 @@ void read(MapReader& map, Mooring& mooring) {
   map.required("stiffness", mooring.stiffness, positive("N"));
   map.optional("friction", mooring.friction, not_negative());
   map.optional("bottom", mooring.on_bottom, TruthRule{});
-  LineDrag drag;
-  map.block("drag", drag);
-  mooring.drag_diameter = drag.diameter;
-  mooring.drag_coefficient = drag.coefficient;
+  map.block("drag", mooring.drag);
   map.optional("breaks_at", mooring.breaks_at, positive("N"));
+  bool dynamic = false;
+  map.optional("model", dynamic, ChoiceRule<bool>{{{"static", false}, {"dynamic", true}}});
+  if (dynamic) mooring.inertia.emplace();
+  read_inertia(map, mooring.drag, mooring.inertia, "model: dynamic");
   if (map.has("friction") && !mooring.on_bottom)
     map.fault("friction", "is only used with bottom: true, where the line lies on the bottom");
 }

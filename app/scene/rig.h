@@ -18,6 +18,20 @@
 
 namespace scene {
 
+/// Drag of the water on a line, and on its motion.
+struct LineDrag {
+  double diameter = 0;               ///< [m]; 0: it has none.
+  double coefficient = 1.2;          ///< Across the line [-].
+  std::optional<double> along;       ///< Along the line, of its surface [-].
+  std::optional<double> added_mass;  ///< Across the line, over the displaced mass [-].
+};
+
+/// Inertia of a line.
+struct LineInertia {
+  int segments = 20;           ///< Straight parts into which it is divided.
+  std::optional<double> mass;  ///< Per length in air [kg/m]; none: it follows from the weight.
+};
+
 /// A spring or rope between two points.
 struct Tether {
   std::string name;                   ///< Unique among its kind.
@@ -37,9 +51,12 @@ struct Spring : Tether {};
 struct Rope : Tether {
   double rate = 0;      ///< Speed at which its winch pays out [m/s].
   double shortest = 0;  ///< Least length that its winch hauls in to [m].
+  double weight = 0;    ///< In water, per length [N/m].
+  LineDrag drag;
+  std::optional<LineInertia> inertia;  ///< None: it is straight, without weight.
 };
 
-/// A catenary from a body to an anchor.
+/// A line from a body to an anchor: a catenary, or one with inertia.
 struct Mooring {
   std::string name;                                    ///< Unique among the moorings.
   std::string body;                                    ///< Name of the body.
@@ -51,11 +68,11 @@ struct Mooring {
   double friction = 0;                                 ///< Coefficient of the bottom [-].
   bool on_bottom = true;  ///< The anchor lies on a bottom that carries the line.
   double breaks_at = std::numeric_limits<double>::infinity();  ///< Tension [N].
-  double drag_diameter = 0;                                    ///< [m]; 0: it has no drag.
-  double drag_coefficient = 1.2;                               ///< [-]
+  LineDrag drag;
+  std::optional<LineInertia> inertia;  ///< None: it is at rest at every instant.
 };
 
-/// Mooring lines that MoorDyn computes.
+/// Mooring lines of a file for MoorDyn.
 struct MoorDyn {
   std::filesystem::path file;       ///< Input file of MoorDyn.
   std::vector<std::string> bodies;  ///< Body of each coupled point, or one for all.

@@ -103,4 +103,7 @@ struct Scene {
   Places places;
 };
 
+/// Height of the flat bottom, as far as the scene says it [m].
+std::optional<double> bottom_of(const Scene& scene);
+
 }  // namespace scene

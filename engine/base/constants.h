@@ -206,8 +206,9 @@ inline constexpr double kDiskError = 1e-6;          ///< Excess of such a fricti
 /// h² k + 2 h c over the mass, above which a line or drive is taken implicitly [-]. Explicit is
 /// stable below 4.
 inline constexpr double kStiffLine = 0.5;
-/// The same for lines of MoorDyn, which react a step late.
-inline constexpr double kHeavyLine = 2;
+/// Largest phase per step of two bodies on a taut line with inertia, which each of them feels
+/// without the other's part in the step [rad]: momentum is kept to a tenth in a jerk.
+inline constexpr double kMostLinePhase = 0.5;
 /// Phase per step up to which a stiff line follows an oscillation, and from which on it takes it
 /// away [rad].
 inline constexpr double kResolvedLine = 0.7;

@@ -22,7 +22,8 @@ struct LineReading {
   Eigen::Vector3d second_W = Eigen::Vector3d::Zero();  ///< Place of its second end [m].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< On the first body [N].
   double resting = 0;                                  ///< Length of a mooring on the bottom [m].
-  /// Places of its nodes [m], from its first end to its second; only lines by MoorDyn have them.
+  /// Places of its nodes [m], from its first end to its second: of a line with inertia, until it
+  /// breaks.
   std::vector<Eigen::Vector3d> nodes_W = {};
 };
 
@@ -61,7 +62,6 @@ struct FoilReading {
 /// All of a simulation, in the order of the specification.
 struct RigReadings {
   std::vector<LineReading> lines;            ///< Springs, ropes and moorings.
-  std::vector<LineReading> moordyn;          ///< The lines that MoorDyn computes.
   std::vector<JointReading> joints;          ///< All joints.
   std::vector<PropellerReading> propellers;  ///< All propellers.
   std::vector<FoilReading> foils;            ///< All foils.

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -46,6 +45,16 @@ struct SetPointSpec {
   double greatest = std::numeric_limits<double>::infinity();
 };
 
+/// The inertia of a line, and the water's loads on its motion (hydro/lines/lumped_line.h).
+struct LineInertia {
+  int segments = 20;      ///< At least 1.
+  double mass = 0;        ///< Per length in air [kg/m], > 0.
+  double drag_along = 0;  ///< C_t [-]
+  double added_mass = 0;  ///< C_a [-]
+  /// Height of the flat bottom that carries the line [m].
+  double bottom = -std::numeric_limits<double>::infinity();
+};
+
 /// A line between two points.
 struct LineSpec {
   /// The law of the tension T, with the distance l of the ends.
@@ -68,26 +77,16 @@ struct LineSpec {
   std::optional<SetPointId> set_rate;
   double shortest = 0;  ///< Least L that a winch hauls in to [m].
 
-  // The following are for a mooring.
+  /// None: the line has its shape of rest at every instant. Its stiffness E A is then L k for a
+  /// rope.
+  std::optional<LineInertia> inertia;
+
+  // The following are for a mooring, and for a rope with inertia.
   double weight = 0;            ///< In water, per length [N/m].
   double friction = 0;          ///< Coefficient of friction on the bottom [-].
   bool on_bottom = true;        ///< The anchor lies on a bottom that carries the line.
   double drag_diameter = 0;     ///< Diameter for the drag of the line [m]; 0: no drag.
   double drag_coefficient = 0;  ///< C_d [-].
-};
-
-/// Lines that MoorDyn computes (moordyn_coupling.h).
-struct MoorDynSpec {
-  /// A line of the file.
-  struct Line {
-    int number = 0;     ///< In the file.
-    double length = 0;  ///< Unstretched [m].
-    int segments = 1;   ///< It has one node more.
-  };
-  std::filesystem::path file;           ///< The input file.
-  std::string text;                     ///< Content of the file.
-  std::vector<AttachmentPoint> points;  ///< Its coupled points on bodies, in its order.
-  std::vector<Line> lines;              ///< In its order.
 };
 
 /// Motor of a hinge or slider: the torque [N m] or force [N] on the first body relative to the

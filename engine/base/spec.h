@@ -109,7 +109,8 @@ struct BodySpec {
   std::vector<Opening> openings;             ///< Holes in its walls.
   std::vector<PumpSpec> pumps;               ///< Pumps of its pockets.
   std::vector<WaterAtStart> interior_water;  ///< Water in its pockets at time 0.
-  /// The pockets of the start, shared by bodies and simulations; null: no pockets, or not found yet.
+  /// The pockets of the start, shared by bodies and simulations; null: no pockets, or not found
+  /// yet.
   std::shared_ptr<const hydro::Interior> pockets;
   /// The mesh with the pockets of the start closed by lids; none without pockets.
   std::optional<hydro::TriMesh> closed_mesh_B;
@@ -207,7 +208,6 @@ struct SimulationSpec {
   std::vector<BodySpec> bodies;        ///< A BodyId is an index in these.
   std::vector<JointSpec> joints;       ///< Joints between bodies.
   std::vector<LineSpec> lines;         ///< Springs, then ropes, then moorings.
-  std::optional<MoorDynSpec> moordyn;  ///< Lines beside those.
   std::vector<PropellerSpec> propellers;  ///< Propellers and thrusters.
   std::vector<FoilSpec> foils;            ///< Rudders, fins, keels and sails.
   std::vector<SetPointSpec> set_points;   ///< A SetPointId is an index in these.

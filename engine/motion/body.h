@@ -54,6 +54,7 @@ struct Body {
   bool locked = false;          ///< At least one degree of freedom is locked.
   bool jointed = false;         ///< At least one joint holds it.
   bool rigged = false;          ///< Lines, drives or machines act on it.
+  bool dynamic_line = false;    ///< A line with inertia acts on it.
   bool driven_by_rows = false;  ///< The constraint solver finds a part of what they do.
   std::optional<ReducedJoint> reduced_joint;
 

@@ -5,7 +5,8 @@
 namespace engine {
 
 bool shows_trend(const Body& body, const Motion& motion) {
-  return !body.held() && (body.wet || body.reduced_joint) && !motion.constrained;
+  return !body.held() && (body.wet || body.reduced_joint) && !body.dynamic_line &&
+         !motion.constrained;
 }
 
 std::optional<ProcessingCorrection> find_correction(const Body& body, const Motion& motion,

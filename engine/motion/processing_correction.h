@@ -15,7 +15,8 @@
 ///     x + (h²/24) a,      u − (h²/24) a'                                                   (E9)
 ///
 /// where the last substeps show a smooth motion (acceleration_history.h). The energy of a bobbing
-/// body then neither drifts nor oscillates.
+/// body then neither drifts nor oscillates. Lines with inertia are no loads of the pose alone:
+/// their bodies have no correction.
 ///
 /// [R91] Rowlands. A numerical algorithm for Hamiltonian systems. J. Comp. Phys. 97 (1991).
 

@@ -31,8 +31,7 @@ void check_points(const SimulationSpec& spec) {
                       "be negative",
                       line.name, line.length, line.stiffness, line.damping));
   }
-  const bool rigged =
-      !spec.lines.empty() || spec.moordyn || !spec.propellers.empty() || !spec.foils.empty();
+  const bool rigged = !spec.lines.empty() || !spec.propellers.empty() || !spec.foils.empty();
   if (rigged && spec.integrator.method == Integrator::Method::ode)
     throw std::invalid_argument("the method ode knows no lines and machines");
 }
@@ -53,6 +52,7 @@ Rig::Rig(const SimulationSpec& spec)
   for (const BodySpec& body : spec.bodies)
     least_inertia_.push_back(hydro::eigenvalues(body.inertia_B)[0]);
   machines_ = std::make_unique<Machines>(spec, *set_points_);
+  dynamic_ = std::make_unique<DynamicLines>(spec);
   if (spec.sea) sea_ = &*spec.sea;
   const std::vector<double> stiffness = stiffness_of_bodies();
   for (std::size_t i = 0; i < spec.lines.size(); ++i) {
@@ -62,16 +62,16 @@ Rig::Rig(const SimulationSpec& spec)
   for (std::size_t i = 0; i < spec.joints.size(); ++i) sort_joint(i, stiffness);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     if (machines_->drives(static_cast<BodyId>(i))) acts_on_[i] = true;
-  if (spec.moordyn) moordyn_ = std::make_unique<MoorDynCoupling>(spec);
-  for (std::size_t i = 0; moordyn_ && i < spec.bodies.size(); ++i)
-    if (moordyn_->acts_on(static_cast<BodyId>(i))) acts_on_[i] = true;
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
+    if (dynamic_->acts_on(static_cast<BodyId>(i)) && movable(static_cast<BodyId>(i)))
+      acts_on_[i] = true;
   std::sort(couplings_.begin(), couplings_.end());
   couplings_.erase(std::unique(couplings_.begin(), couplings_.end()), couplings_.end());
 }
 
 bool Rig::empty() const {
-  return spec_->lines.empty() && !spec_->moordyn && spec_->set_points.empty() &&
-         spec_->propellers.empty() && spec_->foils.empty() && spec_->joints.empty();
+  return spec_->lines.empty() && spec_->set_points.empty() && spec_->propellers.empty() &&
+         spec_->foils.empty() && spec_->joints.empty();
 }
 
 bool Rig::movable(BodyId body) const {
@@ -96,7 +96,7 @@ std::vector<double> Rig::stiffness_of_bodies() const {
     if (movable(body)) sums[body] += (h * h * k + 2 * h * c) * mobility;
   };
   for (const LineSpec& line : spec_->lines) {
-    if (line.kind == LineSpec::Kind::mooring) continue;
+    if (line.kind == LineSpec::Kind::mooring || line.inertia) continue;
     const bool between = movable(line.first.body) && movable(line.second.body);
     if (line.kind == LineSpec::Kind::spring && !between) continue;
     for (const AttachmentPoint& end : {line.first, line.second})
@@ -125,6 +125,7 @@ void Rig::couple(BodyId first, BodyId second, bool by_row) {
 
 void Rig::sort_line(std::size_t index, const std::vector<double>& stiffness) {
   const LineSpec& line = spec_->lines[index];
+  if (line.inertia) return;
   const BodyId a = line.first.body, b = line.second.body;
   const BodyId owner = first_movable(a, b);
   if (owner == kWorld) return;
@@ -174,6 +175,10 @@ LineLength Rig::length_at(std::size_t index, double time) const {
                set_points_->value(*line.set_rate, time));
 }
 
+DynamicLines::LengthAt Rig::lengths() const {
+  return [this](std::size_t line, double time) { return length_at(line, time).length; };
+}
+
 void Rig::begin_step(const std::vector<hydro::BodyState>& states, double time, double h) {
   const auto measured = [&](const Measurement& of) { return measure(of, states, time, h); };
   step_start_ = time;
@@ -183,11 +188,11 @@ void Rig::begin_step(const std::vector<hydro::BodyState>& states, double time, d
     line.impulse = 0;
   }
   for (JointState& joint : joints_) joint = {};
-  if (moordyn_) moordyn_->begin_step(states, time, h);
+  if (!dynamic_->empty()) dynamic_->begin_step(states, time, h, lengths());
 }
 
 void Rig::follow(const std::vector<hydro::BodyState>& states) {
-  if (moordyn_) moordyn_->follow(states);
+  dynamic_->follow(states, lengths());
 }
 
 std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& states, double time,
@@ -199,6 +204,7 @@ std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& stat
     if (!lines_[i].broken && std::isfinite(line.breaks_at) &&
         tension_now(i, pull_now(i, states, time + h), h) > line.breaks_at) {
       lines_[i].broken = true;
+      if (dynamic_->has(i)) dynamic_->release(i);
       broken.push_back(i);
     }
     lines_[i].length = length.length;
@@ -211,18 +217,18 @@ std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& stat
 }
 
 RigState Rig::state() const {
-  RigState state{
-      .lines = lines_, .joints = joints_, .turns = turns_, .set_points = set_points_->states()};
-  if (moordyn_) state.moordyn = moordyn_->state();
-  return state;
+  return {.lines = lines_,
+          .joints = joints_,
+          .turns = turns_,
+          .set_points = set_points_->states(),
+          .dynamic_lines = dynamic_->state()};
 }
 
 bool Rig::fits(const RigState& state) const {
   return state.lines.size() == lines_.size() && state.joints.size() == joints_.size() &&
          state.turns.size() == turns_.size() &&
          state.set_points.size() == set_points_->states().size() &&
-         state.moordyn.has_value() == (moordyn_ != nullptr) &&
-         (!moordyn_ || moordyn_->fits(*state.moordyn));
+         dynamic_->fits(state.dynamic_lines);
 }
 
 void Rig::restore(const RigState& state, double time, double h) {
@@ -231,7 +237,7 @@ void Rig::restore(const RigState& state, double time, double h) {
   turns_ = state.turns;
   set_points_->restore(state.set_points);
   set_points_->set_time(time - h, h);
-  if (moordyn_) moordyn_->restore(*state.moordyn, time, h);
+  dynamic_->restore(state.dynamic_lines);
   step_start_ = time;
 }
 

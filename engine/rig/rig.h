@@ -8,9 +8,9 @@
 #include "engine/contacts/broad_phase.h"
 #include "engine/machines/machines.h"
 #include "engine/machines/set_points.h"
+#include "engine/rig/dynamic_lines.h"
 #include "engine/rig/joint_drive.h"
 #include "engine/rig/line_pull.h"
-#include "engine/rig/moordyn/moordyn_coupling.h"
 
 /// @file
 /// The rig: lines, drives of joints, machines and set points, and how they act on bodies.
@@ -39,7 +39,7 @@
 /// pull at r, and a that of (E22). It is the same in all directions, so that S keeps the form that
 /// the solver knows.
 ///
-/// Lines of MoorDyn are loads of their own (moordyn_coupling.h).
+/// Lines with inertia are loads of their own (dynamic_lines.h).
 ///
 /// Stiff means that the sum of h² k + 2 h c over all that acts so on a body exceeds kStiffLine of
 /// the mass that they move, in the most mobile direction.
@@ -72,16 +72,17 @@ struct RigState {
   std::vector<JointState> joints;
   std::vector<double> turns;  ///< Turns of the propellers' shafts since the start [rad].
   std::vector<SetPointState> set_points;
-  std::optional<MoorDynState> moordyn;
+  std::vector<DynamicLineState> dynamic_lines;
 };
 
 class Rig {
  public:
-  /// @param spec   It must outlive this. @throws std::invalid_argument for what makes no sense,
-  ///     MoorDynFault
+  /// @param spec   It must outlive this. @throws std::invalid_argument for what makes no sense
   explicit Rig(const SimulationSpec& spec);
 
   bool empty() const;
+  /// True if lines with inertia follow the bodies.
+  bool has_dynamic_lines() const { return !dynamic_->empty(); }
 
   // Properties that stepping needs in advance.
 
@@ -90,6 +91,8 @@ class Rig {
   const std::vector<Pair>& couplings() const { return couplings_; }
   /// True if lines or drives act on the body.
   bool acts_on(BodyId body) const { return acts_on_[body]; }
+  /// True if a line with inertia acts on the body.
+  bool has_dynamic_line(BodyId body) const { return dynamic_->acts_on(body); }
   /// True if a row acts on the body, so that the constraint solver moves it.
   bool constrains(BodyId body) const { return constrains_[body]; }
 
@@ -120,9 +123,12 @@ class Rig {
 
   /// Gives set points their values, and starts the records of the step.
   void begin_step(const std::vector<hydro::BodyState>& states, double time, double h);
-  /// Takes the lines of MoorDyn through the step. @param states   At its end.
-  /// @throws MoorDynFault
+  /// Takes the lines with inertia through the step. @param states   At its end.
   void follow(const std::vector<hydro::BodyState>& states);
+  /// Brings the lines with inertia on a body that has been put elsewhere to rest.
+  void settle(BodyId body, const std::vector<hydro::BodyState>& states, double time) {
+    dynamic_->settle(body, states, time, lengths());
+  }
   /// @return the lines that have broken in the step
   std::vector<std::size_t> end_step(const std::vector<hydro::BodyState>& states, double time,
                                     double h);
@@ -181,6 +187,7 @@ class Rig {
   LinePull pull_now(std::size_t line, const std::vector<hydro::BodyState>& states,
                     double time) const;
   double tension_now(std::size_t line, const LinePull& pull, double h) const;
+  DynamicLines::LengthAt lengths() const;
   JointBodies joint_bodies(std::size_t joint, const std::vector<hydro::BodyState>& states) const;
   double measure(const Measurement& of, const std::vector<hydro::BodyState>& states, double time,
                  double h) const;
@@ -216,7 +223,7 @@ class Rig {
   const hydro::Sea* sea_ = nullptr;
   std::unique_ptr<SetPoints> set_points_;
   std::unique_ptr<Machines> machines_;
-  std::unique_ptr<MoorDynCoupling> moordyn_;  ///< Null without lines of MoorDyn.
+  std::unique_ptr<DynamicLines> dynamic_;
   std::vector<LineState> lines_;
   std::vector<JointState> joints_;
   std::vector<double> turns_;

@@ -207,7 +207,7 @@ void Rig::find_loads(const std::vector<MovingBody>& all, Island& island, double 
     for (const std::size_t line : parts_[b->id].lines) add_line(all, island, line, time, h);
     add_lines_to_world(all, island, *b, time, h);
     for (const std::size_t joint : parts_[b->id].drives) add_drive_load(all, island, joint, time);
-    if (moordyn_) moordyn_->add_update(time, h, *b);
+    dynamic_->add_update(time, h, *b);
   }
 }
 

@@ -20,8 +20,12 @@ LineEnd Rig::end_now(const AttachmentPoint& point,
 LinePull Rig::pull_now(std::size_t index, const std::vector<hydro::BodyState>& states,
                        double time) const {
   const LineSpec& line = spec_->lines[index];
-  return pull_of(line, length_at(index, time), end_now(line.first, states),
-                 end_now(line.second, states), sea_, time, lines_[index].pull);
+  const LineEnd first = end_now(line.first, states), second = end_now(line.second, states);
+  if (dynamic_->has(index))
+    return {.tension = dynamic_->tension(index),
+            .force_W = dynamic_->force(index),
+            .distance = (second.place_W - first.place_W).norm()};
+  return pull_of(line, length_at(index, time), first, second, sea_, time, lines_[index].pull);
 }
 
 /// The tension of a row is its mean over the last step: the state at one time does not tell it.
@@ -66,6 +70,10 @@ LineReading Rig::line_reading(std::size_t index, const std::vector<hydro::BodySt
   reading.taut = reading.tension != 0;
   if (reading.broken) return reading;
   if (pull.catenary) reading.resting = pull.catenary->resting;
+  if (dynamic_->has(index)) {
+    reading.nodes_W = dynamic_->nodes(index);
+    reading.resting = dynamic_->resting(index, reading.length);
+  }
   reading.force_W = pull.force_W;
   if (is_row_[index] && pull.distance > 0)
     reading.force_W = reading.tension / pull.distance * (reading.second_W - reading.first_W);
@@ -101,14 +109,14 @@ std::vector<hydro::Wrench> Rig::loads_now(const std::vector<hydro::BodyState>& s
     loads[body].moment += (at_W - states[body].position).cross(force);
   };
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (is_row_[i] || lines_[i].broken) continue;
+    if (is_row_[i] || lines_[i].broken || dynamic_->has(i)) continue;
     const LineSpec& line = spec_->lines[i];
     const Vector3d force = pull_now(i, states, time).force_W;
     add(line.first.body, force, end_now(line.first, states).place_W);
     add(line.second.body, -force, end_now(line.second, states).place_W);
   }
-  for (std::size_t i = 0; moordyn_ && i < states.size(); ++i)
-    moordyn_->add_load(static_cast<BodyId>(i), states[i], time, loads[i]);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    dynamic_->add_load(static_cast<BodyId>(i), states[i], loads[i]);
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     const JointSpec& joint = spec_->joints[i];
     if (!drives_[i].has_coordinate || !joint.drive.acts()) continue;
@@ -138,7 +146,6 @@ RigReadings Rig::readings(const std::vector<hydro::BodyState>& states, double ti
   }
   for (std::size_t i = 0; i < spec_->foils.size(); ++i)
     readings.foils.push_back(machines_->foil(i, states[spec_->foils[i].body], time));
-  if (moordyn_) readings.moordyn = moordyn_->readings();
   readings.set_points = set_points_->readings();
   return readings;
 }

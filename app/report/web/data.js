@@ -23,11 +23,8 @@ const unpackRigging = (rigging) => {
   const count = rigging.times.length;
   for (const line of rigging.lines) {
     line.tension = column(line.tension, count);
-    if (line.path) {
-      line.path = floats(line.path);
-      continue;
-    }
     line.broken = column(line.broken, count);
+    if (line.path) line.path = floats(line.path);
     if (line.shape) line.shape = floats(line.shape);
   }
   for (const part of rigging.parts)

@@ -49,7 +49,7 @@ export class Rigging {
     this.lines = rigging.lines.map((line) => {
       const count = line.coil ? coil([0, 0, 0], [0, 0, 1], line.coil).length / 3 : rigging.points;
       const made = {whole: wire(count, line.coil ? SPRING : WIDTH),
-                    rests: line.path ? [] : [wire(2, WIDTH), wire(2, WIDTH)]};
+                    rests: [wire(2, WIDTH), wire(2, WIDTH)]};
       for (const rest of made.rests) paint(rest, BROKEN);
       if (ghost) [made.whole, ...made.rests].forEach((wires) => this.makeGhostly(wires));
       this.group.add(made.whole, ...made.rests);
@@ -106,11 +106,6 @@ export class Rigging {
 
   updateLine(line, {whole, rests}, time, now) {
     const {points} = this.rigging;
-    if (line.path) {
-      place(whole, pathShape(line.path, points, now));
-      this.paintTension(whole, line.tension, now);
-      return;
-    }
     const [first, second] = line.ends.map((end) => this.endOf(end, time));
     const broken = line.broken[now.part < 1 ? now.row : now.next] !== 0;
     whole.visible = !broken;
@@ -120,7 +115,9 @@ export class Rigging {
       place(rests[1], hanging(second, line.hanging));
       return;
     }
-    place(whole, line.coil ? coil(first, second, line.coil) : lineShape(first, second, line.shape, points, now));
+    place(whole, line.coil ? coil(first, second, line.coil)
+      : line.path ? pathShape(line.path, points, now)
+      : lineShape(first, second, line.shape, points, now));
     this.paintTension(whole, line.tension, now);
   }
 }

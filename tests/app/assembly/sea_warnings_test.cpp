@@ -188,4 +188,22 @@ TEST(StartWarnings, AreNoneForBodiesThatRestOnEachOtherOrMayOverlap) {
   EXPECT_THAT(of_box_and("", "ground: {z: -0.49}\n"), IsEmpty());
 }
 
+TEST(LineWarnings, ACatenaryThatSwingsAsSlowlyAsTheWavesIsNamed) {
+  // 2 L √(m/T): L 158 m, m 53 kg/m with 5 of water, T some 94 kN.
+  const auto of_chain = [](double period, const std::string& more) {
+    return warnings_of(fmt::format(
+        "plimsoll: 1\nduration: 1\nwater: {{density: 1025, surface: {{waves: [{{amplitude: 0.5, "
+        "period: {}}}]}}}}\nbodies: [{{name: float, cylinder: {{radius: 5, height: 4}}, density: "
+        "500}}]\nmoorings: [{{name: west, body: float, fairlead: [-5, 0, -1], anchor: [-150, 0, "
+        "-50], length: 158, weight: 500, stiffness: 2e8, drag: {{diameter: 0.054}}{}}}]\n",
+        period, more));
+  };
+  EXPECT_THAT(of_chain(8, ""),
+              testing::Contains(HasSubstr("moorings[0]: the line swings in 7.8 s and the waves "
+                                          "have 8 s, so that its inertia and drag count")));
+  EXPECT_THAT(of_chain(15, ""), testing::Not(testing::Contains(HasSubstr("swings"))));
+  EXPECT_THAT(of_chain(8, ", model: dynamic"),
+              testing::Not(testing::Contains(HasSubstr("swings"))));
+}
+
 }  // namespace

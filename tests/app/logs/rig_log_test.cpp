@@ -138,6 +138,23 @@ TEST_F(RigLog, LeavesEmptyWhatAThingDoesNotHave) {
             "0.1,propellers[main].speed_rps,3\n");
 }
 
+TEST_F(RigLog, HasTheNodesOfLinesWithInertiaUntilTheyBreak) {
+  spec.lines[0].inertia = engine::LineInertia{.segments = 1};
+  spec.lines[1].inertia = engine::LineInertia{.segments = 2};
+  readings.lines[0].nodes_W = {{1, 2, 3}, {4, 5, 1.0 / 3}};
+  const std::vector<app::LogTable> tables = app::RigLog(spec, true).tables();
+  ASSERT_EQ(tables.size(), 5u);
+  EXPECT_THAT(tables[1].names, ElementsAre("ropes[tow].0", "ropes[tow].1", "moorings[bow].0",
+                                           "moorings[bow].1", "moorings[bow].2"));
+  write(app::LogFormat::csv);
+  EXPECT_THAT(text_of("line_nodes.csv"),
+              testing::StartsWith("time,line_node,x,y,z\n0,ropes[tow].0,1,2,3\n"
+                                  "0,ropes[tow].1,4,5,0.3333333333333333\n"
+                                  "0,moorings[bow].0,,,\n0,moorings[bow].1,,,\n"
+                                  "0,moorings[bow].2,,,\n0.1,ropes[tow].0,1,2,3\n"));
+  EXPECT_THAT(text_of("lines.csv"), HasSubstr(",2.857142857142857\n"));
+}
+
 // The azimuth turns the thrust from x to y of the body, whose y axis points up.
 TEST_F(RigLog, TheForceOfAPropellerIsItsThrustInTheWorld) {
   write(app::LogFormat::csv);
@@ -151,6 +168,8 @@ TEST_F(RigLog, TheForceOfAPropellerIsItsThrustInTheWorld) {
 }
 
 TEST_F(RigLog, IsReadBackToTheSameNumbersInEitherFormat) {
+  spec.lines[0].inertia = spec.lines[1].inertia = engine::LineInertia{.segments = 1};
+  readings.lines[0].nodes_W = {{1, 2, 3}, {4, 5, 1.0 / 3}};
   for (const app::LogFormat format : {app::LogFormat::csv, app::LogFormat::hdf5}) {
     if (format == app::LogFormat::hdf5 && !app::why_no_hdf5().empty()) continue;
     write(format);

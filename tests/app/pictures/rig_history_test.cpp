@@ -129,23 +129,34 @@ TEST_F(LoggedRig, IsInTheReport) {
   EXPECT_EQ(page["parts"][2]["turns"].size(), 0u);
 }
 
-/// Two times of a line of two segments by MoorDyn.
-class LoggedMoorDyn : public LoggedRig {
+/// Three times of a mooring of two segments with inertia, which breaks at the last.
+class LoggedLineWithInertia : public LoggedRig {
  protected:
   void SetUp() override {
     LoggedRig::SetUp();
     engine::SimulationSpec& spec = run_.built.spec;
-    spec.moordyn = {.points = {{.body = 0, .at = {1, 0, 0}}},
-                    .lines = {{.number = 7, .length = 9, .segments = 2}}};
+    spec.lines.push_back({.name = "7",
+                          .kind = LineSpec::Kind::mooring,
+                          .first = {.body = 0, .at = {1, 0, 0}},
+                          .second = {.body = engine::kWorld, .at = {8, 0, -5}},
+                          .length = 9,
+                          .stiffness = 1e6,
+                          .inertia = engine::LineInertia{.segments = 2, .mass = 10},
+                          .weight = 80});
+    run_.trajectory.tracks["tug"] = {.times = {0, 0.5, 1}, .states = {{}, {}, {}}};
+    run_.rows = 3;
     app::RigLog log(spec, false);
     std::vector<app::TableWriter> writers;
     for (const app::LogTable& table : log.tables()) writers.emplace_back(folder_, table);
-    for (const int row : {0, 1}) {
+    for (const int row : {0, 1, 2}) {
       engine::RigReadings readings;
       readings.lines.resize(1);
-      readings.moordyn = {{.tension = 1000.0 * (row + 1),
-                           .length = 9,
-                           .nodes_W = {{1, 0, 0}, {4, 0, -3.0 - row}, {8, 0, -5}}}};
+      if (row < 2)
+        readings.lines.push_back({.tension = 1000.0 * (row + 1),
+                                  .length = 9,
+                                  .nodes_W = {{1, 0, 0}, {4, 0, -3.0 - row}, {8, 0, -5}}});
+      else
+        readings.lines.push_back({.length = 9, .broken = true});
       readings.propellers.resize(1);
       readings.foils.resize(1);
       readings.set_points = {0, 0, 0};
@@ -156,25 +167,37 @@ class LoggedMoorDyn : public LoggedRig {
   }
 };
 
-TEST_F(LoggedMoorDyn, HasItsNodes) {
+TEST_F(LoggedLineWithInertia, HasItsNodesUntilItBreaks) {
   const std::vector<hydro::BodyState> states(1);
   const app::DrawnRig first = history().at(0.4, states), second = history().at(0.5, states);
-  ASSERT_EQ(first.moordyn.size(), 1u);
-  EXPECT_EQ(first.moordyn[0],
+  EXPECT_TRUE(first.lines[0].nodes_W.empty());
+  EXPECT_EQ(first.lines[1],
             (app::DrawnLine{
                 .tension = 1000, .length = 9, .nodes_W = {{1, 0, 0}, {4, 0, -3}, {8, 0, -5}}}));
-  EXPECT_EQ(second.moordyn[0].nodes_W[1], Eigen::Vector3d(4, 0, -4));
+  ASSERT_EQ(second.lines[1].nodes_W.size(), 3u);
+  EXPECT_EQ(second.lines[1].nodes_W[1], Eigen::Vector3d(4, 0, -4));
   const app::DrawnRig half = app::between(first, second, 0.5);
-  EXPECT_EQ(half.moordyn[0].nodes_W[1], Eigen::Vector3d(4, 0, -3.5));
-  EXPECT_EQ(half.moordyn[0].tension, 1500);
-  EXPECT_TRUE(
-      app::between(
-          {.lines = first.lines, .propellers = first.propellers, .foil_angles = first.foil_angles},
-          second, 0.5)
-          .moordyn.empty());
+  EXPECT_EQ(half.lines[1].nodes_W[1], Eigen::Vector3d(4, 0, -3.5));
+  EXPECT_EQ(half.lines[1].tension, 1500);
+  app::DrawnRig unknown = first;
+  unknown.lines[1].nodes_W.clear();
+  EXPECT_TRUE(app::between(unknown, second, 0.5).lines[1].nodes_W.empty());
+  const app::DrawnRig last = history().at(1, states);
+  EXPECT_EQ(last.lines[1], (app::DrawnLine{.length = 9, .broken = true}));
+  EXPECT_EQ(app::between(second, last, 0.5).lines[1],
+            (app::DrawnLine{.tension = 1000, .length = 9, .broken = true}));
 }
 
-TEST_F(LoggedMoorDyn, IsDrawnThroughItsNodesInTheColourOfItsTension) {
+TEST_F(LoggedLineWithInertia, IsDrawnAtRestWhereItsNodesWereNotLogged) {
+  fs::remove(folder_ / app::line_nodes_layout().file);
+  const std::vector<hydro::BodyState> states(1);
+  const app::DrawnRig rig = history().at(0.5, states);
+  EXPECT_EQ(rig.lines[1], (app::DrawnLine{.tension = 2000, .length = 9}));
+  const app::GroundHeight ground(run_.built.spec.ground);
+  EXPECT_GT(app::shape_of(run_.built.spec.lines[1], rig.lines[1], states, ground, 0).cols(), 3);
+}
+
+TEST_F(LoggedLineWithInertia, IsDrawnThroughItsNodesInTheColourOfItsTension) {
   app::RigPictures pictures(run_.built.spec, false);
   const app::Shot shot = {.states = std::vector<hydro::BodyState>(1),
                           .rig = history().at(0.5, std::vector<hydro::BodyState>(1))};
@@ -187,16 +210,29 @@ TEST_F(LoggedMoorDyn, IsDrawnThroughItsNodesInTheColourOfItsTension) {
   EXPECT_EQ(rigging.tubes[1].color, app::tension_color(1));
 }
 
-TEST_F(LoggedMoorDyn, IsInTheReport) {
+TEST_F(LoggedLineWithInertia, IsInTheReport) {
   const nlohmann::ordered_json page = app::page_rigging(run_, Eigen::Vector3d(0, 0, -1), {});
   ASSERT_EQ(page["lines"].size(), 2u);
-  EXPECT_EQ(page["lines"][1]["name"], "7");
-  const std::vector<float> path = support::packed_numbers<float>(page["lines"][1]["path"]);
-  const std::size_t points = page["points"].get<std::size_t>();
-  ASSERT_EQ(path.size(), 2 * 3 * points);
-  EXPECT_EQ(path[2], 1);                             // z of the first end above the origin
-  EXPECT_EQ(path[3 * points + 3 * points - 1], -4);  // that of the second end, later
+  EXPECT_TRUE(page["lines"][0].contains("shape"));
+  EXPECT_FALSE(page["lines"][0].contains("path"));
+  const auto& line = page["lines"][1];
+  EXPECT_EQ(line["name"], "7");
+  EXPECT_FALSE(line.contains("shape"));
+  const std::vector<float> path = support::packed_numbers<float>(line["path"]);
+  const std::size_t points = page["points"].get<std::size_t>(), row = 3 * points;
+  ASSERT_EQ(path.size(), 3 * row);
+  EXPECT_EQ(path[2], 1);             // z of the first end above the origin
+  EXPECT_EQ(path[2 * row - 1], -4);  // that of the second end, later
+  for (std::size_t i = 0; i < row; ++i) EXPECT_EQ(path[2 * row + i], path[row + i]);
+  EXPECT_EQ(support::packed_numbers<float>(line["broken"]["data"]), (std::vector<float>{0, 0, 1}));
   EXPECT_EQ(page["tensions"]["top"], 2000);
+}
+
+TEST_F(LoggedLineWithInertia, HasAShapeInTheReportWhereItsNodesWereNotLogged) {
+  fs::remove(folder_ / app::line_nodes_layout().file);
+  const nlohmann::ordered_json page = app::page_rigging(run_, Eigen::Vector3d::Zero(), {});
+  EXPECT_FALSE(page["lines"][1].contains("path"));
+  EXPECT_FALSE(page["lines"][1]["shape"].is_null());
 }
 
 TEST_F(LoggedRig, IsNotInTheReportOfARunThatHasNone) {

@@ -142,6 +142,8 @@ TEST(ShotSpool, GivesBackWhatWasAddedInAnyOrder) {
     Shot& shot = shots.back();
     for (int k = 0; k < i % 3; ++k) {
       shot.rig.lines.push_back({.tension = random.uniform(0, 9), .length = 2, .broken = k == 1});
+      for (int node = 0; node < i % 5 - k; ++node)
+        shot.rig.lines.back().nodes_W.emplace_back(random.uniform(0, 9), i, node);
       shot.rig.propellers.push_back({.turn = random.uniform(0, 9), .azimuth = 1});
       shot.rig.foil_angles.push_back(random.uniform(-1, 1));
       shot.interiors = {{{.at_W = {1, 2, 3}, .level = 4, .flooded = true}}, {}};

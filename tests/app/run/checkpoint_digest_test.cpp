@@ -37,4 +37,22 @@ TEST(CheckpointDigest, TellsWhetherTheTableOfAControlHasChanged) {
   EXPECT_NE(digest_with({2, 3}, scene::Interpolation::step), before);
 }
 
+TEST(CheckpointDigest, TellsWhetherALineWithInertiaHasChanged) {
+  engine::SimulationSpec spec;
+  spec.lines = {{.name = "1",
+                 .kind = engine::LineSpec::Kind::mooring,
+                 .length = 90,
+                 .inertia = engine::LineInertia{.mass = 20}}};
+  const std::string before = app::digest_of(spec);
+  EXPECT_EQ(app::digest_of(spec), before);
+  spec.lines[0].inertia->mass *= 1 + 1e-12;
+  EXPECT_NE(app::digest_of(spec), before);
+  spec.lines[0].inertia->mass = 20;
+  spec.lines[0].inertia->segments = 19;
+  EXPECT_NE(app::digest_of(spec), before);
+  spec.lines[0].inertia->segments = 20;
+  spec.lines[0].second.at.z() = -50;
+  EXPECT_NE(app::digest_of(spec), before);
+}
+
 }  // namespace

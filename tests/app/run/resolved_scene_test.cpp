@@ -6,6 +6,7 @@
 
 #include "app/assembly/build.h"
 #include "app/base/progress.h"
+#include "app/run/resolved_rig.h"
 #include "tests/app/scene_text.h"
 
 namespace {
@@ -141,6 +142,34 @@ TEST(RunReport, TellsThatMethodOdeHasNoAddedMass) {
                              "  - {name: box, box: {size: [1, 1, 1]}, density: 5}\n");
   EXPECT_EQ(lines.size(), 4u);
   EXPECT_THAT(lines.back(), HasSubstr("added mass of box (method ode has none)"));
+}
+
+TEST(RunReport, TellsInHowManySegmentsALineHasInertia) {
+  assembly::BuiltScene built;
+  built.spec.bodies = {{.name = "buoy"}};
+  engine::LineSpec line{.name = "tow",
+                        .kind = engine::LineSpec::Kind::rope,
+                        .first = {.body = 0},
+                        .second = {.at = {30, 0, 0}},
+                        .length = 20,
+                        .stiffness = 100};
+  built.spec.lines = {line};
+  line.inertia = engine::LineInertia{.segments = 1, .mass = 2};
+  built.spec.lines.push_back(line);
+  line = {.name = "7",
+          .kind = engine::LineSpec::Kind::mooring,
+          .first = {.body = 0},
+          .second = {.at = {30, 0, -40}},
+          .length = 40,
+          .stiffness = 4e5,
+          .inertia = engine::LineInertia{.segments = 20, .mass = 2}};
+  built.spec.lines.push_back(line);
+  const std::vector<std::string> lines = app::resolved_rig(scene::Scene(), built);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(squeezed(lines[1]), "tow rope buoy to world 20 30 100 1000");
+  EXPECT_EQ(squeezed(lines[2]), "tow rope buoy to world, dynamic, 1 segment 20 30 100 1000");
+  EXPECT_THAT(squeezed(lines[3]),
+              StartsWith("7 mooring buoy to anchor, dynamic, 20 segments 40 50 10000 "));
 }
 
 TEST(RunReport, OfADrySceneHasNoDraught) {

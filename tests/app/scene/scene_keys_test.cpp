@@ -700,6 +700,9 @@ std::string key_of(std::string path) {
 /// Lines, machines and controls with all their keys, in three scenes.
 std::vector<std::string> rigs() {
   const std::string line = "stiffness: 1, damping: 1, breaks_at: 9, length: 5";
+  const std::string inertia =
+      " weight: 1, mass: 2, segments: 3,"
+      " drag: {diameter: 0.1, coefficient: 1, along: 0.1, added_mass: 0.9}";
   const std::string ends = "bodies: [a, world], points: [[0, 0, 0], [0, 0, 5]]";
   const std::string foil =
       "body: a, at: [0, 0, 0], span: 1, chord: 1, axis: [0, 0, 1], chord_axis: [1, 0, 0],"
@@ -712,10 +715,11 @@ std::vector<std::string> rigs() {
       " hand: left, azimuth_deg: 0, pivot: [0, 0, 1], inertia: 1";
   return {
       "springs=[{name: s, " + ends + ", " + line + "}]",
-      "ropes=[{name: r, " + ends + ", " + line + ", rate: 0, shortest: 1}]",
+      "ropes=[{name: r, " + ends + ", " + line + ", rate: 0, shortest: 1," + inertia + "}]",
       "moorings=[{name: m, body: a, fairlead: [0, 0, 0], anchor: [9, 0, -10], length: 16,"
-      " weight: 1, stiffness: 1e5, friction: 0.1, bottom: true, breaks_at: 1e9,"
-      " drag: {diameter: 0.1, coefficient: 1}}]",
+      " stiffness: 1e5, friction: 0.1, bottom: true, breaks_at: 1e9,"
+      " model: dynamic," +
+          inertia + "}]",
       "propellers=[{name: p, " + screw +
           ", model: {wageningen: {blades: 4, area_ratio: 0.7, pitch_ratio: 1}}}, {name: q, " +
           screw +
@@ -741,6 +745,23 @@ std::vector<std::string> rigs() {
       "bodies[0].forces=[{force: [1, 0, 0], torque: [0, 0, 1], frame: body, at: [0, 0, 0],"
       " start: 0, end: 1, formula: t}, {force: [1, 0, 0], factor: 2}, {force: [1, 0, 0], file: " +
           file + ", column: value, interpolation: linear}]"};
+}
+
+TEST(SceneKeys, InertiaOfLinesIsRead) {
+  const scene::Scene scene = read_scene_text(every_key(), rigs());
+  const scene::Rope& rope = scene.ropes[0];
+  const scene::Mooring& mooring = scene.moorings[0];
+  EXPECT_EQ(rope.weight, 1);
+  for (const auto& [inertia, drag] :
+       {std::pair(rope.inertia, rope.drag), std::pair(mooring.inertia, mooring.drag)}) {
+    ASSERT_TRUE(inertia);
+    EXPECT_EQ(inertia->segments, 3);
+    EXPECT_EQ(inertia->mass, 2);
+    EXPECT_EQ(drag.diameter, 0.1);
+    EXPECT_EQ(drag.coefficient, 1);
+    EXPECT_EQ(drag.along, 0.1);
+    EXPECT_EQ(drag.added_mass, 0.9);
+  }
 }
 
 TEST(SceneKeys, MooringsAreAListOrAFileOfMoorDyn) {
