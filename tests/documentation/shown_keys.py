@@ -27,7 +27,7 @@ class Loader(yaml.SafeLoader):
 
 # Keys that no scene has, and why.
 NOT_SHOWN = {
-    "moorings.moordyn": "needs a build with MoorDyn, which is optional",
+    "moorings.moordyn": "stands in place of the list of moorings",
     "moorings.bodies": "stands beside `moorings.moordyn`",
 }
 # Blocks whose keys are those of another block, and the one under which the schema lists them.
