@@ -70,6 +70,17 @@ void calm(engine::BodySpec& body) {
   body.coefficients.viscous_drag.law = hydro::ViscousDrag::Law::none;
 }
 
+/// Takes the inertia from a line: a mooring is a catenary then, and a rope straight with half of
+/// its weight at each end.
+void put_at_rest(engine::LineSpec& line, engine::SimulationSpec& still) {
+  line.inertia.reset();
+  if (line.kind == engine::LineSpec::Kind::mooring) return;
+  for (const engine::AttachmentPoint& end : {line.first, line.second})
+    if (end.body != engine::kWorld)
+      still.bodies[static_cast<std::size_t>(end.body)].loads.push_back(
+          {.force = {0, 0, -line.weight * line.length / 2}, .at_B = end.at});
+}
+
 /// The scene in still water, with all bodies outside the group held where they start.
 engine::SimulationSpec still_scene(const engine::SimulationSpec& spec, const HeldGroup& group,
                                    double step) {
@@ -91,8 +102,7 @@ engine::SimulationSpec still_scene(const engine::SimulationSpec& spec, const Hel
   }
   for (engine::LineSpec& line : still.lines) {
     line.breaks_at = std::numeric_limits<double>::infinity();
-    if (line.kind == engine::LineSpec::Kind::mooring && line.second.body == engine::kWorld)
-      line.inertia.reset();
+    if (line.inertia) put_at_rest(line, still);
     line.set_length.reset();
     line.set_rate.reset();
   }

@@ -704,6 +704,24 @@ TEST(Equilibrium, OfABodyThatNothingNearHoldsIsAFault) {
               ElementsAre(HasSubstr("held by a constant load, does not come to rest within ten")));
 }
 
+TEST(RigFaults, ALineWithInertiaHasAMassAndAStiffnessForTheStep) {
+  const auto of_rope = [](const std::string& keys) {
+    return faults_of(
+        "plimsoll: 1\nduration: 1\nstep: 0.01\nwater: {}\nbodies:\n"
+        "  - {name: a, box: {size: [1, 1, 1]}, density: 500}\n"
+        "  - {name: b, box: {size: [1, 1, 1]}, density: 500, position: [5, 0, 0]}\n"
+        "ropes: [{name: r, bodies: [a, b], points: [[0, 0, 0], [0, 0, 0]], " +
+        keys + "}]\n");
+  };
+  EXPECT_THAT(of_rope("stiffness: 1e5, weight: 1"), IsEmpty());
+  EXPECT_THAT(of_rope("stiffness: 1e5, weight: -1"),
+              ElementsAre(HasSubstr("ropes[0].weight: leaves the line no mass")));
+  EXPECT_THAT(of_rope("stiffness: 1e5, weight: -1, mass: 2"), IsEmpty());
+  // 0.5 √(m/2k): half a radian of two bodies of 500 kg.
+  EXPECT_THAT(of_rope("stiffness: 1e6, weight: 1"),
+              ElementsAre(HasSubstr("needs a step of 0.00791 s or less; the scene's is 0.01 s")));
+}
+
 TEST(RigWarnings, ATautLineIsToldUnlessItsBodyRestsOnIt) {
   const auto warnings = [](const std::string& start) {
     return assembly::build_without_added_mass(

@@ -189,7 +189,7 @@ TEST(StartWarnings, AreNoneForBodiesThatRestOnEachOtherOrMayOverlap) {
 }
 
 TEST(LineWarnings, ACatenaryThatSwingsAsSlowlyAsTheWavesIsNamed) {
-  // 2 L √(m/T): L 158 m, m 53 kg/m with 5 of water, T some 94 kN.
+  // 2 L √(m/T): L 127 m off the bottom, m 51 kg/m with 5 of water, T 94 kN.
   const auto of_chain = [](double period, const std::string& more) {
     return warnings_of(fmt::format(
         "plimsoll: 1\nduration: 1\nwater: {{density: 1025, surface: {{waves: [{{amplitude: 0.5, "
@@ -199,7 +199,7 @@ TEST(LineWarnings, ACatenaryThatSwingsAsSlowlyAsTheWavesIsNamed) {
         period, more));
   };
   EXPECT_THAT(of_chain(8, ""),
-              testing::Contains(HasSubstr("moorings[0]: the line swings in 7.8 s and the waves "
+              testing::Contains(HasSubstr("moorings[0]: the line swings in 6.2 s and the waves "
                                           "have 8 s, so that its inertia and drag count")));
   EXPECT_THAT(of_chain(15, ""), testing::Not(testing::Contains(HasSubstr("swings"))));
   EXPECT_THAT(of_chain(8, ", model: dynamic"),

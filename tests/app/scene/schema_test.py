@@ -47,7 +47,7 @@ UNSEEN = [
     r"not used by a (hinge|slider) joint", r"table from 0", r"rising values",
     r"expected wageningen, open_water", r"at most the length", r"there is no propeller",
     r"is a propeller of", r"needs air, and", r"a\.obj\\x00b", r"knows no lines and machines",
-    r"more than 64 MiB of text",
+    r"more than 64 MiB of text", r"is only used with (model: dynamic|weight)",
 ]
 
 
