@@ -58,8 +58,11 @@ void fill(const Body& body, const Eigen::Matrix3d& R_WB, CarriedWater& carried) 
 }
 
 bool has_all_pockets(const Body& body, const CarriedWater& carried) {
-  return carried.interior &&
-         hydro::is_convex(hydro::with_lids(body.spec->mesh_B, carried.interior->division));
+  if (!carried.interior) return false;
+  const BodySpec& spec = *body.spec;
+  const bool of_start = carried.interior == spec.pockets && spec.closed_mesh_B;
+  return hydro::is_convex(of_start ? *spec.closed_mesh_B
+                                   : hydro::with_lids(spec.mesh_B, carried.interior->division));
 }
 
 void find_sides(const Body& body, CarriedWater& carried) {
