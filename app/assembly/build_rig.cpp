@@ -150,7 +150,7 @@ class RigBuilder {
     const double displaced =
         spec_.sea ? spec_.sea->density * std::numbers::pi / 4 * drag.diameter * drag.diameter : 0;
     const double mass = given.mass.value_or(line.weight / spec_.gravity + displaced);
-    if (!(mass > 0))
+    if (!(mass > 0) || !std::isfinite(mass))  // without gravity a weight tells no mass
       log_.faults.add(log_.scene.places, path + ".weight",
                       "leaves the line no mass, expected its mass beside it");
     line.drag_diameter = drag.diameter;
