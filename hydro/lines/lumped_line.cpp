@@ -165,7 +165,7 @@ void find_slope(const Equations& e, const Matrix3Xd& x, Slope& s) {
 }
 
 /// Newton's change of the nodes between the ends: a system of blocks on three diagonals.
-Matrix3Xd newton_change(Slope& s) {
+Matrix3Xd newton_change(const Slope& s) {
   const Index last = s.residual.cols() - 2;
   Matrix3Xd change = Matrix3Xd::Zero(3, s.residual.cols());
   std::vector<Matrix3d> inverse(s.diagonal.size());
@@ -319,7 +319,9 @@ LumpedState line_at_rest(const LumpedLine& line, double length, const LineEnds& 
     still->surface = FlatSurface{};
   }
   Matrix3Xd zero = Matrix3Xd::Zero(3, count);
-  double thickness = line.mass * line.gravity * l / l;  // [N/m]: a node moves by l under its weight
+  const double thinnest = 1e-9 * line.stiffness / l;  // [N/m]
+  // At first a node moves by l under its weight.
+  double thickness = std::max(line.mass * line.gravity, thinnest);
   Slope slope;
   for (int i = 0; i < kMostRestSteps; ++i) {
     Equations e{.line = line,
@@ -340,7 +342,7 @@ LumpedState line_at_rest(const LumpedLine& line, double length, const LineEnds& 
     const double moved = (x - state.places).colwise().norm().maxCoeff();
     state.places = x;
     if (moved <= kAtRest * length && i > 0) break;
-    thickness = std::max(thickness / 2, 1e-9 * line.stiffness / l);
+    thickness = std::max(thickness / 2, thinnest);
   }
   state.places_before = state.places;
   state.velocities = state.velocities_before = zero;
