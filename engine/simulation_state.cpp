@@ -173,9 +173,8 @@ void visit(auto& a, LineState& l) {
   visit_all(a, l.length, l.broken, l.impulse, l.tension, l.pull);
 }
 void visit(auto& a, JointState& j) { visit_all(a, j.force, j.moment, j.effort, j.motor); }
-void visit(auto& a, DynamicLineState& l) {
-  visit_all(a, l.motion.places, l.motion.places_before, l.motion.velocities,
-            l.motion.velocities_before, l.motion.forces, l.broken);
+void visit(auto& a, hydro::LumpedState& l) {
+  visit_all(a, l.places, l.places_before, l.velocities, l.velocities_before, l.forces);
 }
 void visit(auto& a, RigState& rig) {
   visit_all(a, rig.lines, rig.joints, rig.turns, rig.set_points, rig.dynamic_lines);

@@ -14,6 +14,7 @@
 #include "app/assembly/build_moordyn.h"
 #include "app/scene/rig_names.h"
 #include "engine/rig/dynamic_lines.h"
+#include "engine/rig/line_pull.h"
 
 namespace assembly {
 namespace {
@@ -292,17 +293,18 @@ Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
   return state.position + state.orientation * point.at;
 }
 
-double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSpec& line) {
+hydro::CatenarySolution catenary_at_start(const engine::SimulationSpec& spec,
+                                          const engine::LineSpec& line) {
   const Eigen::Vector3d span = place_at_start(spec, line.first) - place_at_start(spec, line.second);
-  if (line.kind != engine::LineSpec::Kind::mooring) {
-    const double pull = line.stiffness * (span.norm() - line.length);
-    return line.kind == engine::LineSpec::Kind::rope ? std::max(0.0, pull) : pull;
-  }
-  const hydro::CatenaryLine catenary{.length = line.length,
-                                     .weight = line.weight,
-                                     .stiffness = line.stiffness,
-                                     .friction = line.friction};
-  return hydro::solve_catenary(catenary, span.head<2>().norm(), span.z(), line.on_bottom).tension();
+  return hydro::solve_catenary(engine::catenary_line(line, line.length), span.head<2>().norm(),
+                               span.z(), line.on_bottom);
+}
+
+double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSpec& line) {
+  if (line.kind == engine::LineSpec::Kind::mooring) return catenary_at_start(spec, line).tension();
+  const Eigen::Vector3d span = place_at_start(spec, line.first) - place_at_start(spec, line.second);
+  const double pull = line.stiffness * (span.norm() - line.length);
+  return line.kind == engine::LineSpec::Kind::rope ? std::max(0.0, pull) : pull;
 }
 
 engine::BodyId body_id(const scene::Scene& scene, const std::string& name) {

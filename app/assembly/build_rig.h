@@ -25,6 +25,10 @@ engine::BodyId body_id(const scene::Scene& scene, const std::string& name);
 Eigen::Vector3d place_at_start(const engine::SimulationSpec& spec,
                                const engine::AttachmentPoint& point);
 
+/// The shape of a mooring at rest at the start.
+hydro::CatenarySolution catenary_at_start(const engine::SimulationSpec& spec,
+                                          const engine::LineSpec& line);
+
 /// Tension of a line at the start [N]; negative for a spring that pushes.
 double tension_at_start(const engine::SimulationSpec& spec, const engine::LineSpec& line);
 

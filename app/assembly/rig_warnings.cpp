@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "app/assembly/build_rig.h"
-#include "hydro/lines/catenary.h"
 
 namespace assembly {
 namespace {
@@ -59,13 +58,7 @@ double wave_period(const hydro::Sea& sea) {
 /// Period of the first swing of a mooring at its start, as that of a string with the tension of its
 /// fairlead and the mass of what is off the bottom, water included [s].
 double swing_period(const engine::SimulationSpec& spec, const engine::LineSpec& line) {
-  const Eigen::Vector3d span = place_at_start(spec, line.first) - place_at_start(spec, line.second);
-  const hydro::CatenarySolution rest =
-      hydro::solve_catenary({.length = line.length,
-                             .weight = line.weight,
-                             .stiffness = line.stiffness,
-                             .friction = line.friction},
-                            span.head<2>().norm(), span.z(), line.on_bottom);
+  const hydro::CatenarySolution rest = catenary_at_start(spec, line);
   const double displaced =
       spec.sea->density * std::numbers::pi / 4 * line.drag_diameter * line.drag_diameter;
   const double mass = line.weight / spec.gravity + 2 * displaced;

@@ -109,7 +109,9 @@ bool leads_outside(const engine::BodySpec& spec, const hydro::Pockets& division,
 std::vector<Eigen::Vector3d> flooding_points(const engine::BodySpec& spec) {
   if (spec.interior != engine::Interior::flooding || !spec.closed_mesh_B) return {};
   const Eigen::Vector3d up_B = spec.initial.orientation.toRotationMatrix().row(2);
-  const hydro::Pockets division = hydro::find_pockets(spec.mesh_B, up_B);
+  const auto interior = engine::pockets_at(spec, up_B);
+  if (!interior) return {};
+  const hydro::Pockets& division = interior->division;
   std::vector<Eigen::Vector3d> points = sill_points(spec.mesh_B, division);
   for (const engine::Opening& opening : spec.openings)
     if (leads_outside(spec, division, opening)) points.push_back(opening.at_B);

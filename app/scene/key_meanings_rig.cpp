@@ -120,12 +120,11 @@ constexpr auto kRigMeanings = std::to_array<Meaning>({
     {"ropes[].shortest", "Least length to which the winch hauls in."},
     {"ropes[].weight",
      "Weight per length in water; a negative one floats. The rope then [has "
-     "inertia](#lines-with-inertia), "
-     "hangs and lies on a flat bottom. Without this key it is straight, without weight."},
+     "inertia](#lines-with-inertia), hangs and lies on a flat bottom. Without this key it is "
+     "straight, without weight."},
     {"ropes[].mass",
      "Mass per length in air. The default follows from the weight and what the `diameter` of its "
-     "drag "
-     "displaces."},
+     "drag displaces."},
     {"ropes[].segments", "Straight parts into which it is divided."},
     {"ropes[].drag", "What the water does to its motion. Without this block it does nothing."},
     {"ropes[].drag.diameter", "Diameter of the rope."},

@@ -11,6 +11,7 @@
 #include "engine/constraints/force_row.h"
 #include "engine/constraints/island.h"
 #include "engine/motion/locks.h"
+#include "engine/rig/line_pull.h"
 #include "hydro/decompositions.h"
 
 namespace engine {
@@ -53,18 +54,6 @@ double taut_frequency(const SimulationSpec& spec, const LineSpec& line) {
   return std::sqrt(k * (mobility(spec, line.first) + mobility(spec, line.second)));
 }
 
-Vector3d place_of(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states) {
-  if (point.body == kWorld) return point.at;
-  const hydro::BodyState& state = states[static_cast<std::size_t>(point.body)];
-  return state.position + state.orientation * point.at;
-}
-
-Vector3d velocity_of(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states) {
-  if (point.body == kWorld) return Vector3d::Zero();
-  const hydro::BodyState& state = states[static_cast<std::size_t>(point.body)];
-  return state.linear_velocity + state.angular_velocity.cross(state.orientation * point.at);
-}
-
 }  // namespace
 
 double longest_step(const SimulationSpec& spec, const LineSpec& line) {
@@ -74,7 +63,7 @@ double longest_step(const SimulationSpec& spec, const LineSpec& line) {
 }
 
 Vector3d DynamicLines::Line::force(int end) const {
-  return state.broken ? Vector3d(Vector3d::Zero()) : Vector3d(state.motion.forces.col(end));
+  return broken ? Vector3d(Vector3d::Zero()) : Vector3d(motion.forces.col(end));
 }
 
 const AttachmentPoint& DynamicLines::point(const Line& line, int side) const {
@@ -85,7 +74,7 @@ const AttachmentPoint& DynamicLines::point(const Line& line, int side) const {
 hydro::LineEnds DynamicLines::places(const Line& line,
                                      const std::vector<hydro::BodyState>& states) const {
   hydro::LineEnds ends;
-  for (int side = 0; side < 2; ++side) ends.col(side) = place_of(point(line, side), states);
+  for (int side = 0; side < 2; ++side) ends.col(side) = line_end(point(line, side), states).place_W;
   return ends;
 }
 
@@ -120,10 +109,10 @@ DynamicLines::DynamicLines(const SimulationSpec& spec)
 }
 
 void DynamicLines::settle(Line& line, double length, const std::vector<hydro::BodyState>& states) {
-  hydro::LumpedState& motion = line.state.motion;
+  hydro::LumpedState& motion = line.motion;
   motion = hydro::line_at_rest(line.line, length, places(line, states), sea_);
   for (int side = 0; side < 2; ++side) {  // The ends have moved with their bodies before.
-    const Vector3d velocity = velocity_of(point(line, side), states);
+    const Vector3d velocity = line_end(point(line, side), states).velocity_W;
     const Eigen::Index node = side == 0 ? 0 : line.line.segments;
     motion.places_before.col(node) -= step_ * velocity;
     motion.velocities.col(node) = motion.velocities_before.col(node) = velocity;
@@ -141,12 +130,12 @@ void DynamicLines::begin_step(const std::vector<hydro::BodyState>& states, doubl
   step_start_ = time;
   step_ = h;
   for (Line& line : lines_) {
-    if (line.state.broken) continue;
+    if (line.broken) continue;
     line.aimed = places(line, states);
     for (int side = 0; side < 2; ++side)
-      line.aimed.col(side) += h * velocity_of(point(line, side), states);
+      line.aimed.col(side) += h * line_end(point(line, side), states).velocity_W;
     line.response = hydro::response(line.line, length_at(line.index, time + h), line.aimed, sea_,
-                                    time + h, h, line.state.motion);
+                                    time + h, h, line.motion);
   }
 }
 
@@ -155,7 +144,7 @@ void DynamicLines::add_update(double time, double h, SubstepBody& body) const {
   const double part = (time - step_start_) / step_, rest = step_start_ + step_ - time;
   for (const auto& [index, side] : ends_of_[static_cast<std::size_t>(body.id)]) {
     const Line& line = lines_[index];
-    if (line.state.broken) continue;
+    if (line.broken) continue;
     const Vector3d r = state.orientation * point(line, side).at;
     const Vector3d velocity = state.linear_velocity + state.angular_velocity.cross(r);
     const Vector3d off = state.position + r + rest * velocity - line.aimed.col(side);
@@ -177,9 +166,9 @@ void DynamicLines::add_update(double time, double h, SubstepBody& body) const {
 void DynamicLines::follow(const std::vector<hydro::BodyState>& states, const LengthAt& length_at) {
   const double time = step_start_ + step_;
   for (Line& line : lines_)
-    if (!line.state.broken)
+    if (!line.broken)
       hydro::advance(line.line, length_at(line.index, time), places(line, states), sea_, time,
-                     step_, line.response.places, line.state.motion);
+                     step_, line.response.places, line.motion);
 }
 
 void DynamicLines::add_load(BodyId body, const hydro::BodyState& state, hydro::Wrench& load) const {
@@ -196,32 +185,31 @@ double DynamicLines::tension(std::size_t line) const {
 
 std::vector<Vector3d> DynamicLines::nodes(std::size_t line) const {
   std::vector<Vector3d> nodes;
-  if (of(line).state.broken) return nodes;
-  for (const auto node : of(line).state.motion.places.colwise()) nodes.emplace_back(node);
+  if (of(line).broken) return nodes;
+  for (const auto node : of(line).motion.places.colwise()) nodes.emplace_back(node);
   return nodes;
 }
 
 double DynamicLines::resting(std::size_t line, double length) const {
-  return hydro::resting_length(of(line).line, length, of(line).state.motion);
+  return hydro::resting_length(of(line).line, length, of(line).motion);
 }
 
-std::vector<DynamicLineState> DynamicLines::state() const {
-  std::vector<DynamicLineState> states;
-  for (const Line& line : lines_) states.push_back(line.state);
+std::vector<hydro::LumpedState> DynamicLines::state() const {
+  std::vector<hydro::LumpedState> states;
+  for (const Line& line : lines_) states.push_back(line.motion);
   return states;
 }
 
-bool DynamicLines::fits(const std::vector<DynamicLineState>& state) const {
-  return std::ranges::equal(state, lines_, [](const DynamicLineState& a, const Line& b) {
-    const hydro::LumpedState &m = a.motion, &own = b.state.motion;
-    return m.places.cols() == own.places.cols() && m.places_before.cols() == own.places.cols() &&
-           m.velocities.cols() == own.places.cols() &&
-           m.velocities_before.cols() == own.places.cols();
+bool DynamicLines::fits(const std::vector<hydro::LumpedState>& state) const {
+  return std::ranges::equal(state, lines_, [](const hydro::LumpedState& m, const Line& line) {
+    const Eigen::Index count = line.motion.places.cols();
+    return m.places.cols() == count && m.places_before.cols() == count &&
+           m.velocities.cols() == count && m.velocities_before.cols() == count;
   });
 }
 
-void DynamicLines::restore(const std::vector<DynamicLineState>& state) {
-  for (std::size_t i = 0; i < lines_.size(); ++i) lines_[i].state = state[i];
+void DynamicLines::restore(const std::vector<hydro::LumpedState>& state) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) lines_[i].motion = state[i];
 }
 
 }  // namespace engine

@@ -34,12 +34,6 @@ namespace engine {
 
 struct SubstepBody;
 
-/// The changing side of a line with inertia: a part of the state of a simulation.
-struct DynamicLineState {
-  hydro::LumpedState motion;
-  bool broken = false;
-};
-
 /// Longest step with which a line with inertia may join two bodies that move [s]; infinite for any
 /// other line.
 double longest_step(const SimulationSpec& spec, const LineSpec& line);
@@ -70,8 +64,8 @@ class DynamicLines {
   /// Brings the lines of a body that has been put elsewhere to rest.
   void settle(BodyId body, const std::vector<hydro::BodyState>& states, double time,
               const LengthAt& length_at);
-  /// Ends the pull of a line for good.
-  void release(std::size_t line) { of(line).state.broken = true; }
+  /// Ends the pull of a line, or gives it back. This is no part of state().
+  void set_broken(std::size_t line, bool broken) { of(line).broken = broken; }
 
   /// Adds the forces of the lines on a body: moments about its centre of mass, in W.
   void add_load(BodyId body, const hydro::BodyState& state, hydro::Wrench& load) const;
@@ -84,9 +78,10 @@ class DynamicLines {
   /// Length that lies on the bottom [m].
   double resting(std::size_t line, double length) const;
 
-  std::vector<DynamicLineState> state() const;
-  bool fits(const std::vector<DynamicLineState>& state) const;
-  void restore(const std::vector<DynamicLineState>& state);
+  /// The changing side of the lines.
+  std::vector<hydro::LumpedState> state() const;
+  bool fits(const std::vector<hydro::LumpedState>& state) const;
+  void restore(const std::vector<hydro::LumpedState>& state);
 
  private:
   struct Line {
@@ -94,7 +89,8 @@ class DynamicLines {
     hydro::LumpedLine line;  ///< Its properties.
     bool between = false;    ///< Both its ends are on bodies that move.
     double unresolved = 0;   ///< 0: the step resolves the bodies on the taut line; 1: it does not.
-    DynamicLineState state;
+    bool broken = false;
+    hydro::LumpedState motion;
     hydro::LineEnds aimed = hydro::LineEnds::Zero();  ///< x̂ [m]
     hydro::LineResponse response;
 

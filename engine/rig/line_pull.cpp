@@ -50,6 +50,14 @@ LinePull pull_of_mooring(const LineSpec& line, double length, const LineEnd& fai
 
 }  // namespace
 
+LineEnd line_end(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states) {
+  if (point.body == kWorld) return {.place_W = point.at};
+  const hydro::BodyState& state = states[static_cast<std::size_t>(point.body)];
+  const Vector3d r = state.orientation * point.at;
+  return {.place_W = state.position + r,
+          .velocity_W = state.linear_velocity + state.angular_velocity.cross(r)};
+}
+
 CatenaryPlane catenary_plane(const Vector3d& fairlead_W, const Vector3d& anchor_W) {
   const Vector3d path = anchor_W - fairlead_W;
   CatenaryPlane plane{.span = path.head<2>().norm(), .height = -path.z()};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/base/spec.h"
 #include "hydro/lines/catenary.h"
@@ -26,6 +27,9 @@ struct LineEnd {
   Eigen::Vector3d place_W = Eigen::Vector3d::Zero();     ///< [m]
   Eigen::Vector3d velocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
 };
+
+/// An end of a line on bodies in these states.
+LineEnd line_end(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states);
 
 /// The properties of a line at a time.
 struct LineLength {

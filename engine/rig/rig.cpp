@@ -204,7 +204,7 @@ std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& stat
     if (!lines_[i].broken && std::isfinite(line.breaks_at) &&
         tension_now(i, pull_now(i, states, time + h), h) > line.breaks_at) {
       lines_[i].broken = true;
-      if (dynamic_->has(i)) dynamic_->release(i);
+      if (dynamic_->has(i)) dynamic_->set_broken(i, true);
       broken.push_back(i);
     }
     lines_[i].length = length.length;
@@ -238,6 +238,8 @@ void Rig::restore(const RigState& state, double time, double h) {
   set_points_->restore(state.set_points);
   set_points_->set_time(time - h, h);
   dynamic_->restore(state.dynamic_lines);
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (dynamic_->has(i)) dynamic_->set_broken(i, lines_[i].broken);
   step_start_ = time;
 }
 

@@ -72,7 +72,7 @@ struct RigState {
   std::vector<JointState> joints;
   std::vector<double> turns;  ///< Turns of the propellers' shafts since the start [rad].
   std::vector<SetPointState> set_points;
-  std::vector<DynamicLineState> dynamic_lines;
+  std::vector<hydro::LumpedState> dynamic_lines;
 };
 
 class Rig {
@@ -183,7 +183,6 @@ class Rig {
   void couple(BodyId first, BodyId second, bool by_row);
 
   LineLength length_at(std::size_t line, double time) const;
-  LineEnd end_now(const AttachmentPoint& point, const std::vector<hydro::BodyState>& states) const;
   LinePull pull_now(std::size_t line, const std::vector<hydro::BodyState>& states,
                     double time) const;
   double tension_now(std::size_t line, const LinePull& pull, double h) const;

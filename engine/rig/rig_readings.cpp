@@ -8,19 +8,10 @@ namespace engine {
 using Eigen::Vector3d;
 using Quantity = Measurement::Quantity;
 
-LineEnd Rig::end_now(const AttachmentPoint& point,
-                     const std::vector<hydro::BodyState>& states) const {
-  if (point.body == kWorld) return {.place_W = point.at};
-  const hydro::BodyState& state = states[point.body];
-  const Vector3d r = state.orientation * point.at;
-  return {.place_W = state.position + r,
-          .velocity_W = state.linear_velocity + state.angular_velocity.cross(r)};
-}
-
 LinePull Rig::pull_now(std::size_t index, const std::vector<hydro::BodyState>& states,
                        double time) const {
   const LineSpec& line = spec_->lines[index];
-  const LineEnd first = end_now(line.first, states), second = end_now(line.second, states);
+  const LineEnd first = line_end(line.first, states), second = line_end(line.second, states);
   if (dynamic_->has(index))
     return {.tension = dynamic_->tension(index),
             .force_W = dynamic_->force(index),
@@ -65,8 +56,8 @@ LineReading Rig::line_reading(std::size_t index, const std::vector<hydro::BodySt
                       .distance = pull.distance,
                       .length = length_at(index, time).length,
                       .broken = lines_[index].broken,
-                      .first_W = end_now(line.first, states).place_W,
-                      .second_W = end_now(line.second, states).place_W};
+                      .first_W = line_end(line.first, states).place_W,
+                      .second_W = line_end(line.second, states).place_W};
   reading.taut = reading.tension != 0;
   if (reading.broken) return reading;
   if (pull.catenary) reading.resting = pull.catenary->resting;
@@ -112,8 +103,8 @@ std::vector<hydro::Wrench> Rig::loads_now(const std::vector<hydro::BodyState>& s
     if (is_row_[i] || lines_[i].broken || dynamic_->has(i)) continue;
     const LineSpec& line = spec_->lines[i];
     const Vector3d force = pull_now(i, states, time).force_W;
-    add(line.first.body, force, end_now(line.first, states).place_W);
-    add(line.second.body, -force, end_now(line.second, states).place_W);
+    add(line.first.body, force, line_end(line.first, states).place_W);
+    add(line.second.body, -force, line_end(line.second, states).place_W);
   }
   for (std::size_t i = 0; i < states.size(); ++i)
     dynamic_->add_load(static_cast<BodyId>(i), states[i], loads[i]);

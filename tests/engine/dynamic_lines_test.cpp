@@ -160,10 +160,16 @@ TEST(DynamicLine, BreaksAndPullsNoMore) {
   SimulationSpec spec = buoy_on_chain(true, 0.02, 10);
   spec.bodies[0].loads = {{.force = {4e5, 0, 0}}};
   spec.lines[0].breaks_at = 1e5;
-  const Simulation simulation = support::after(std::move(spec), 500);
-  EXPECT_TRUE(chain_of(simulation).broken);
-  EXPECT_EQ(chain_of(simulation).force_W, Vector3d::Zero());
-  EXPECT_TRUE(chain_of(simulation).nodes_W.empty());
+  const Simulation simulation = support::after(spec, 500);
+  Simulation resumed(spec);
+  resumed.restore(simulation.state());
+  for (const Simulation* broken : {&simulation, &std::as_const(resumed)}) {
+    EXPECT_TRUE(chain_of(*broken).broken);
+    EXPECT_EQ(chain_of(*broken).force_W, Vector3d::Zero());
+    EXPECT_TRUE(chain_of(*broken).nodes_W.empty());
+  }
+  resumed.reset();
+  EXPECT_EQ(chain_of(resumed).nodes_W.size(), 11u);
 }
 
 /// Two bodies in space on a rope with mass.
