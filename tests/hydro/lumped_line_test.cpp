@@ -124,18 +124,20 @@ TEST(LumpedLine, SwingsAsAStringInTheSquareOfTheStep) {
   EXPECT_LT(std::abs(fine), std::abs(coarse) / 8);  // it would be 21
 }
 
+/// The line with a diameter of 4 cm, and what the water then does to it.
+LumpedLine rope(LumpedLine line) {
+  line.diameter = 0.04;
+  line.drag_across = 1.2;
+  line.drag_along = 0.05;
+  line.added_mass = 1;
+  return line;
+}
+
 TEST(LumpedLine, FallsThroughWaterAtTheSpeedOfItsDrag) {
   // Across: w = ½ρ C_d d v²; along: w = ½ρ π C_t d v².
   for (const bool across : {true, false}) {
-    const LumpedLine line{.segments = 8,
-                          .stiffness = 1e6,
-                          .mass = 5,
-                          .weight = 30,
-                          .diameter = 0.04,
-                          .drag_across = 1.2,
-                          .drag_along = 0.05,
-                          .added_mass = 1,
-                          .gravity = kPull};
+    const LumpedLine line =
+        rope({.segments = 8, .stiffness = 1e6, .mass = 5, .weight = 30, .gravity = kPull});
     hydro::Sea sea;
     sea.density = 1025;
     sea.level = 1000;
@@ -159,17 +161,13 @@ TEST(LumpedLine, IsNotThrownAboutByAnyStepOrStiffness) {
   support::Random random(9);
   for (const double h : {1e-3, 0.05, 0.5})
     for (const double stiffness : {1e3, 1e7, 1e11}) {
-      const LumpedLine line{.segments = 12,
-                            .stiffness = stiffness,
-                            .mass = 20,
-                            .weight = 150,
-                            .diameter = 0.04,
-                            .drag_across = 1.2,
-                            .drag_along = 0.05,
-                            .added_mass = 1,
-                            .friction = 0.5,
-                            .gravity = kPull,
-                            .bottom = -20};
+      const LumpedLine line = rope({.segments = 12,
+                                    .stiffness = stiffness,
+                                    .mass = 20,
+                                    .weight = 150,
+                                    .friction = 0.5,
+                                    .gravity = kPull,
+                                    .bottom = -20});
       LineEnds ends = ends_at({20, 0, -1}, {-10, 0, -20});
       LumpedState state = hydro::line_at_rest(line, 38, ends, &sea);
       for (int i = 1; i <= 200; ++i) {
@@ -216,8 +214,8 @@ Tensions driven_chain(double amplitude, double period, double drag) {
 }
 
 TEST(LumpedLine, HasTheTensionsOfADrivenChainThatMoorDynHas) {
-  // MoorDyn 2.7.1 with 40 segments, steps of 0.2 ms and a bottom without friction. A catenary at rest has 75
-  // to 124 kN at 2 m, and 83 to 107 kN at 1 m, whatever the period.
+  // MoorDyn 2.7.1 with 40 segments, steps of 0.2 ms and a bottom without friction. A catenary at
+  // rest has 75 to 124 kN at 2 m, and 83 to 107 kN at 1 m, whatever the period.
   struct Case {
     double drag, amplitude, period, least, largest;
   };
