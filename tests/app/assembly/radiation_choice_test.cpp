@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/assembly/build.h"
+#include "hydro/lines/catenary.h"
 #include "hydro/mesh/mass_properties.h"
 #include "tests/app/scene_text.h"
 #include "tests/support/tolerance.h"
@@ -222,6 +223,33 @@ TEST(RadiationChoice, IsThePoseInWhichLinesAndLoadsHoldABody) {
   const RadiationChoice loaded =
       choice(raft("forces: [{force: [0, 0, -7845.32]}], hydro: {radiation: {pose: equilibrium}}"));
   EXPECT_NEAR(loaded.draught, 0.6, 1e-4);  // 0.8 m3 more
+}
+
+// A spar on a slider, which three moorings hold: upright, and as deep as its weight and the lines'
+// pull it.
+TEST(RadiationChoice, OfAMooredSparOnASliderIsUpright) {
+  const RadiationChoice c = choice(
+      "plimsoll: 1\nduration: 1\nwater: {density: 1025, depth: 60}\nbodies:\n"
+      "  - {name: spar, cylinder: {radius: 1.2, height: 32, slices: 48}, mass: 110000,\n"
+      "     center_of_mass: [0, 0, -10], position: [0, 0, -9], collision: none}\n"
+      "  - {name: float, box: {size: [8, 8, 3]}, density: 512, collision: none}\n"
+      "joints: [{type: slider, name: pto, bodies: [spar, float], axis: [0, 0, 1]}]\n"
+      "moorings:\n"
+      "  - {name: a, body: spar, fairlead: [-1, 0, 0], anchor: [-150, 0, -60], length: 160,\n"
+      "     weight: 400, stiffness: 1e8}\n"
+      "  - {name: b, body: spar, fairlead: [0.5, 0.866025403784, 0], anchor: [75, 129.903810568, "
+      "-60],\n     length: 160, weight: 400, stiffness: 1e8}\n"
+      "  - {name: c, body: spar, fairlead: [0.5, -0.866025403784, 0], anchor: [75, -129.903810568, "
+      "-60],\n     length: 160, weight: 400, stiffness: 1e8}\n");
+  ASSERT_TRUE(c.pose) << c.reason;
+  const Eigen::Vector3d up = c.pose->orientation * Eigen::Vector3d::UnitZ();
+  EXPECT_LT(std::acos(std::min(1.0, up.z())), tolerance(1e-3));
+  // Fairleads are 16 m above the foot.
+  const hydro::CatenarySolution line =
+      hydro::solve_catenary({.length = 160, .weight = 400, .stiffness = 1e8, .friction = 0}, 149,
+                            60 - c.draught + 16, true);
+  const double area = 48 / 2.0 * 1.2 * 1.2 * std::sin(2 * M_PI / 48);
+  EXPECT_NEAR(1025 * area * c.draught / (110000 + 3 * line.vertical / 9.80665), 1, tolerance(1e-4));
 }
 
 // Two halves of the raft under a fixed joint have the hull of the whole one.
