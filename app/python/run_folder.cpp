@@ -18,7 +18,8 @@ RunFolder::RunFolder(const scene::Scene& scene, const assembly::BuiltScene& buil
 
 void RunFolder::finish(const engine::Simulation& simulation) {
   log_.finish();
-  const app::RunErrors errors{simulation.constraint_errors(), simulation.works()};
+  const app::RunErrors errors{simulation.constraint_errors(), simulation.works(),
+                              simulation.counts()};
   std::vector<std::string> warnings = built_.warnings;
   for (std::string& warning : app::error_warnings(built_.spec, errors))
     warnings.push_back(std::move(warning));
@@ -29,7 +30,6 @@ void RunFolder::finish(const engine::Simulation& simulation) {
                       .simulated = simulation.time(),
                       .timings = simulation.timings(),
                       .skips = simulation.skips(),
-                      .counts = simulation.counts(),
                       .rig = totals_,
                       .errors = errors,
                       .warnings = warnings,

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/base/console.h"
+#include "app/run/constraint_warning.h"
 #include "hydro/mesh/mesh.h"
 
 namespace app {
@@ -99,14 +100,22 @@ std::vector<Told> told_joints(const engine::SimulationSpec& spec,
   return by_share(std::move(told));
 }
 
-std::vector<Told> told_clamps(const engine::SimulationSpec& spec,
-                              const std::vector<engine::Works>& works) {
+/// What the energy limiter took counts by its share of the work, without a record of work by that
+/// of the substeps.
+std::vector<Told> told_clamps(const engine::SimulationSpec& spec, const RunErrors& errors) {
   std::vector<Told> told;
-  for (std::size_t i = 0; i < works.size(); ++i)
-    if (const double share = works[i].clamped_share(); share > 0)
+  for (std::size_t i = 0; i < errors.works.size(); ++i)
+    if (const double share = errors.works[i].clamped_share(); share > 0)
       told.push_back({.share = share,
                       .whose = spec.bodies[i].name,
-                      .text = fmt::format("{:.2g} % of the work on it", 100 * share)});
+                      .text = fmt::format("by {:.2g} % of the work on it", 100 * share)});
+  if (!errors.works.empty()) return by_share(std::move(told));
+  for (std::size_t i = 0; i < errors.counts.size(); ++i)
+    if (const auto& [clamped, all] = std::pair(errors.counts[i].clamped, errors.counts[i].substeps);
+        clamped > 0)
+      told.push_back({.share = static_cast<double>(clamped) / static_cast<double>(all),
+                      .whose = spec.bodies[i].name,
+                      .text = fmt::format("in {} of its {} substeps", clamped, all)});
   return by_share(std::move(told));
 }
 
@@ -161,6 +170,7 @@ Json joints_summary(const engine::SimulationSpec& spec, const engine::Constraint
 std::vector<std::string> error_warnings(const engine::SimulationSpec& spec,
                                         const RunErrors& errors) {
   std::vector<std::string> warnings;
+  if (auto missed = constraint_warning(spec, errors.counts)) warnings.push_back(*std::move(missed));
   const auto add = [&](const std::vector<Told>& told, const auto& text) {
     if (!told.empty() && is_notable(told.front())) warnings.push_back(text(told.front(), told));
   };
@@ -176,9 +186,9 @@ std::vector<std::string> error_warnings(const engine::SimulationSpec& spec,
         "help",
         worst.whose, worst.text, 100 * worst.share, others(told, "other joint", "other joints"));
   });
-  add(told_clamps(spec, errors.works), [](const Told& worst, const auto& told) {
+  add(told_clamps(spec, errors), [](const Told& worst, const auto& told) {
     return fmt::format(
-        "slowing body '{}' to keep it from gaining energy took {}{}: a shorter step may help",
+        "body '{}' was slowed {} to keep it from gaining energy{}: a shorter step may help",
         worst.whose, worst.text, others(told, "other body", "other bodies"));
   });
   return warnings;
@@ -191,7 +201,7 @@ std::vector<std::string> error_lines(const engine::SimulationSpec& spec, const R
   };
   add("largest overlaps", told_overlaps(spec, errors.constraints));
   add("largest errors of joints", told_joints(spec, errors.constraints));
-  add("taken by the energy limiter", told_clamps(spec, errors.works));
+  add("slowed by the energy limiter", told_clamps(spec, errors));
   return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/counts.h"
 #include "engine/base/spec.h"
 #include "engine/record/body_forces.h"
 #include "engine/record/constraint_errors.h"
@@ -14,14 +15,15 @@
 
 namespace app {
 
-/// Part of a body's size, or of the work on it, from which on an error is a warning [-]; as much of
-/// a turn in radians moves the far side of a body by that part.
+/// Part of a body's size, of the work on it or of its substeps, from which on an error is a warning
+/// [-]; as much of a turn in radians moves the far side of a body by that part.
 inline constexpr double kNotableError = 0.01;
 
-/// Errors of the constraints of a run at its end.
+/// Errors of the constraints of a run at its end, and what tells of them.
 struct RunErrors {
   engine::ConstraintErrors constraints;
-  std::vector<engine::Works> works;  ///< Per body; empty without a record of work.
+  std::vector<engine::Works> works;    ///< Per body; empty without a record of work.
+  std::vector<engine::Counts> counts;  ///< Per body.
 };
 
 /// Returns the entry `overlaps` of summary.json: the number of `pairs` that have touched and the
@@ -34,11 +36,12 @@ nlohmann::ordered_json overlaps_summary(const engine::SimulationSpec& spec,
 nlohmann::ordered_json joints_summary(const engine::SimulationSpec& spec,
                                       const engine::ConstraintErrors& errors);
 
-/// Returns a warning each of overlaps, joints and clamped work, if any is notable.
+/// Returns a warning of forces that missed their tolerance (constraint_warning()), and one each of
+/// overlaps, joints and the energy limiter, if any is notable.
 std::vector<std::string> error_warnings(const engine::SimulationSpec& spec,
                                         const RunErrors& errors);
 
-/// Returns lines with the largest overlaps, errors of joints and clamped works.
+/// Returns lines with the largest overlaps, errors of joints and what the energy limiter slowed.
 std::vector<std::string> error_lines(const engine::SimulationSpec& spec, const RunErrors& errors);
 
 }  // namespace app

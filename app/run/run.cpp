@@ -29,7 +29,6 @@
 #include "app/pictures/video_check.h"
 #include "app/run/checkpoint.h"
 #include "app/run/closing_lines.h"
-#include "app/run/constraint_warning.h"
 #include "app/run/log_subject.h"
 #include "app/run/motion_watch.h"
 #include "app/run/piece_warning.h"
@@ -148,13 +147,10 @@ class Run {
     summary_.simulated = simulation_.time();
     summary_.timings = simulation_.timings();
     summary_.skips = simulation_.skips();
-    summary_.counts = simulation_.counts();
     if (const hydro::SimulatedWater* water = simulation_.water())
       summary_.water = {.waves = built_.spec.sea->density * water->waves().energy(),
                         .absorbed = built_.spec.sea->density * water->absorbed()};
-    summary_.errors = {simulation_.constraint_errors(), simulation_.works()};
-    if (auto warning = constraint_warning(built_.spec, summary_.counts))
-      summary_.warnings.push_back(std::move(*warning));
+    summary_.errors = {simulation_.constraint_errors(), simulation_.works(), simulation_.counts()};
     for (std::string& warning : error_warnings(built_.spec, summary_.errors))
       summary_.warnings.push_back(std::move(warning));
     summary_.wall_log = log_.seconds();

@@ -127,7 +127,7 @@ Json to_json(const engine::BodySpec& body, const assembly::ResistanceReport& rep
 
 Json body_summary(const RunSummary& summary, std::size_t i) {
   const engine::BodySpec& body = summary.built.spec.bodies[i];
-  Json motion = motion_summary(summary.counts[i]);
+  Json motion = motion_summary(summary.errors.counts[i]);
   if (i < summary.errors.works.size())
     motion["clamped_work_share"] = summary.errors.works[i].clamped_share();
   return {{"triangles", body.mesh_B.face_count()},
@@ -135,8 +135,8 @@ Json body_summary(const RunSummary& summary, std::size_t i) {
           {"mesh_digest", digest_of(body.mesh_B)},
           {"loads_not_computed", unused_loads(body)},
           {"drag_shape", json_rows(body.coefficients.drag_shape)},
-          {"steps_above_water", summary.counts[i].dry},
-          {"steps_at_rest", summary.counts[i].resting},
+          {"steps_above_water", summary.errors.counts[i].dry},
+          {"steps_at_rest", summary.errors.counts[i].resting},
           {"motion", std::move(motion)},
           {"added_mass", to_json(summary.built.added_mass[i])},
           {"radiation", to_json(summary.built.radiation[i])},

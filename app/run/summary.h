@@ -30,15 +30,14 @@ struct RunSummary {
   double simulated = 0;  ///< [s]
   engine::Timings timings;
   engine::Skips skips;
-  std::vector<engine::Counts> counts;  ///< Per body.
-  std::optional<WaterEnergy> water;    ///< None without simulated water that bodies feel.
-  RigTotals rig;                       ///< Totals of lines and machines.
-  RunErrors errors;                    ///< Errors of joints and contacts, and works.
-  std::vector<std::string> warnings;   ///< Warnings of the scene, then those of the run.
-  double wall = 0;                     ///< Total, including the added mass [s].
-  double wall_log = 0;                 ///< [s]
-  double wall_render = 0;              ///< [s]
-  std::optional<double> resumed_at;    ///< Time of the checkpoint it was resumed from [s].
+  std::optional<WaterEnergy> water;   ///< None without simulated water that bodies feel.
+  RigTotals rig;                      ///< Totals of lines and machines.
+  RunErrors errors;                   ///< Errors of constraints, works and counts.
+  std::vector<std::string> warnings;  ///< Warnings of the scene, then those of the run.
+  double wall = 0;                    ///< Total, including the added mass [s].
+  double wall_log = 0;                ///< [s]
+  double wall_render = 0;             ///< [s]
+  std::optional<double> resumed_at;   ///< Time of the checkpoint it was resumed from [s].
   std::optional<PictureReport> pictures;
   std::string pictures_skipped;  ///< Reason why there are none.
 };

@@ -101,14 +101,30 @@ TEST(ConstraintErrors, AreToldOfJointsInMetresAndDegrees) {
 
 TEST(ConstraintErrors, AreToldOfWorkThatTheLimiterTook) {
   const engine::SimulationSpec spec = crate_and_beam();
-  RunErrors errors{.constraints = {}, .works = {{.weight = 999, .brake = -1}, {.weight = 5}}};
+  RunErrors errors;
+  errors.works = {{.weight = 999, .brake = -1}, {.weight = 5}};
+  errors.counts = {{.substeps = 9, .clamped = 9}, {}};
   EXPECT_THAT(app::error_warnings(spec, errors), IsEmpty());
   EXPECT_THAT(app::error_lines(spec, errors),
-              ElementsAre("  taken by the energy limiter: crate 0.1 % of the work on it"));
+              ElementsAre("  slowed by the energy limiter: crate by 0.1 % of the work on it"));
   errors.works[0].brake = -111;
   EXPECT_THAT(app::error_warnings(spec, errors),
-              ElementsAre(HasSubstr("slowing body 'crate' to keep it from gaining energy took 10 "
-                                    "% of the work on it: ")));
+              ElementsAre(HasSubstr("body 'crate' was slowed by 10 % of the work on it to keep it "
+                                    "from gaining energy: ")));
+}
+
+TEST(ConstraintErrors, AreToldOfSubstepsThatTheLimiterSlowedWhereNoWorkIsRecorded) {
+  const engine::SimulationSpec spec = crate_and_beam();
+  RunErrors errors;
+  errors.counts = {{.substeps = 300, .clamped = 2}, {.substeps = 40}};
+  EXPECT_THAT(app::error_warnings(spec, errors), IsEmpty());
+  EXPECT_THAT(app::error_lines(spec, errors),
+              ElementsAre("  slowed by the energy limiter: crate in 2 of its 300 substeps"));
+  errors.counts[0].clamped = errors.counts[1].clamped = 4;
+  EXPECT_THAT(
+      app::error_warnings(spec, errors),
+      ElementsAre(HasSubstr("body 'beam' was slowed in 4 of its 40 substeps to keep it from "
+                            "gaining energy (and 1 other body by more than 1 %): ")));
 }
 
 }  // namespace
