@@ -43,6 +43,26 @@ TEST_F(ProgramPictures, OfAStillSceneDifferByTheTimeOverThemAlone) {
   EXPECT_NE(frame("0"), with_letters);
 }
 
+// Its loads are computed where arrows show them, though no log asks for them.
+TEST_F(ProgramPictures, OfABodyThatIsHeldShowItsPressuresAndForces) {
+  here.write("pier.yaml",
+             "plimsoll: 1\nduration: 0.4\nstep: 0.1\n"
+             "water: {current: [1, 0, 0], surface: {waves: [{amplitude: 0.2, period: 4}]}}\n"
+             "hydro: {added_mass: none}\nbodies:\n"
+             "  - {name: pier, box: {size: [1, 1, 4]}, density: 500, lock: all}\n"
+             "render: {size: [320, 240], every: 0.4, show: [forces, centres]}\n");
+  run("pier.yaml");
+  const std::string first = frame("0"), last = frame("1");
+  run("pier.yaml", {"log.forces=true"});
+  EXPECT_EQ(frame("0"), first);
+  EXPECT_EQ(frame("1"), last);
+  run("pier.yaml", {"render.show=[centres]"});
+  EXPECT_NE(frame("0"), first) << "no arrow";
+  const std::string colored = frame("1");
+  run("pier.yaml", {"render.show=[centres]", "render.pressure=none"});
+  EXPECT_NE(frame("1"), colored) << "no pressures";
+}
+
 TEST_F(ProgramPictures, WithoutPressuresHaveNoScale) {
   here.write("box.yaml", falling_box("0.4", "render: {size: [320, 240], every: 0.4}\n"));
   const auto pictures = [&] { return json::parse(here.read("o/summary.json"))["pictures"]; };

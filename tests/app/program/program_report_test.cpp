@@ -85,6 +85,39 @@ TEST_F(ProgramReport, HasWhatTheRunWas) {
   EXPECT_EQ(page["series"]["thinned"], false);
 }
 
+TEST_F(ProgramReport, HasWhatTheRunWarnedOf) {
+  run_box("",
+          "plimsoll: 1\nduration: 30\nstep: 0.05\nwater: {density: 1000}\n"
+          "hydro: {added_mass: none, pressure_drag: false}\nbodies:\n"
+          "  - {name: hull, box: {size: [4, 1, 1]}, mass: 2000, forces: [{force: [150, 0, 0]}]}\n");
+  const json warnings = data()["summary"]["warnings"];
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].get<std::string>(),
+              HasSubstr("body 'hull' goes through the water at 1.3 m/s at "));
+}
+
+TEST_F(ProgramReport, HasTheLoadsOfABodyThatIsHeld) {
+  run_box("",
+          "plimsoll: 1\nduration: 0.5\nstep: 0.1\nwater: {density: 1000}\ngravity: 10\n"
+          "hydro: {added_mass: none}\nbodies:\n"
+          "  - {name: pier, box: {size: [2, 3, 4]}, mass: 500, lock: all}\n"
+          "log: {forces: true, probes: [{name: foot, body: pier, at: [0, 0, -1]}]}\n"
+          "render: {size: [320, 240], every: 0.5, pressure: {max: auto}}\n");
+  const json page = data();
+  const auto logged = [&](const char* column) {
+    const std::vector<std::string> names = page["series"]["columns"];
+    const auto at = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+    const json& series = page["series"]["bodies"][0].at(at);
+    // A column that does not change is one number.
+    if (series.is_number()) return series.get<double>();
+    return series["base"].get<double>() + packed_numbers<float>(series["data"]).back();
+  };
+  EXPECT_NEAR(logged("buoyancy_fz"), 2 * 3 * 2 * 1e4, 1e-2);
+  EXPECT_NEAR(logged("constraint_fz"), 5000 - 2 * 3 * 2 * 1e4, 1e-2);
+  EXPECT_NEAR(page["summary"]["pictures"]["pressure_max"].get<double>(), 2e4, 1e-6);
+  EXPECT_THAT(here.read("o/probes.csv"), HasSubstr("\n0.5,foot,0,0,0,-1,0,0,0,"));
+}
+
 TEST_F(ProgramReport, HasTheLoggedMotion) {
   run_box();
   const json page = data();

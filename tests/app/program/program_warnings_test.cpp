@@ -63,6 +63,29 @@ TEST_F(ProgramWarnings, TellNothingOfCratesThatLieAndHangAsTheyShould) {
   EXPECT_EQ(summary()["bodies"]["lamp"]["motion"]["clamped_work_share"], 0);
 }
 
+// What drags a body of 50 mm about its hinge by a whole turn a step, and a needle of a millimetre
+// that is welded to a float.
+TEST_F(ProgramWarnings, TellNothingOfJointsThatHoldInAStream) {
+  const Outcome outcome =
+      run("duration: 4\nstep: 0.05\nwater: {current: [-2.9, 3.1, 0]}\n"
+          "hydro: {added_mass: none, pressure_drag: 20}\nbodies:\n"
+          "  - {name: vane, box: {size: [0.05, 0.03, 0.02]}, density: 7000, angular_velocity: "
+          "[0, 0, 125.7], position: [0.027, 0, -0.04]}\n"
+          "  - {name: float, box: {size: [0.3, 0.3, 0.3]}, density: 500, position: [9, 0, 0]}\n"
+          "  - {name: needle, box: {size: [1, 0.001, 0.001]}, density: 800, position: [9.5, 0, "
+          "-0.1], collision: none}\n"
+          "joints:\n"
+          "  - {name: pin, type: hinge, bodies: [vane, world], anchor: [0, 0, -0.04], axis: [0, "
+          "0.1, 1]}\n"
+          "  - {name: weld, type: fixed, bodies: [needle, float], anchor: [9.1, 0, -0.1]}\n");
+  EXPECT_THAT(outcome.err, Not(HasSubstr("came apart")));
+  const json joints = summary()["joints"];
+  for (const char* joint : {"pin", "weld"}) {
+    EXPECT_LT(joints[joint]["position_error_max"].get<double>(), 1e-9) << joint << " [m]";
+    EXPECT_LT(joints[joint]["angle_error_max_deg"].get<double>(), 1e-6) << joint;
+  }
+}
+
 TEST_F(ProgramWarnings, TellADrivenHullThatGoesTooFastForWhatIsComputed) {
   const Outcome outcome =
       run("duration: 30\nstep: 0.05\nwater: {density: 1000}\n"
