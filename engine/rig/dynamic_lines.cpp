@@ -134,8 +134,8 @@ void DynamicLines::begin_step(const std::vector<hydro::BodyState>& states, doubl
     line.aimed = places(line, states);
     for (int side = 0; side < 2; ++side)
       line.aimed.col(side) += h * line_end(point(line, side), states).velocity_W;
-    line.response = hydro::response(line.line, length_at(line.index, time + h), line.aimed, sea_,
-                                    time + h, h, line.motion);
+    line.step.begin(line.line, length_at(line.index, time + h), line.aimed, sea_, time + h, h,
+                    line.motion);
   }
 }
 
@@ -151,24 +151,21 @@ void DynamicLines::add_update(double time, double h, SubstepBody& body) const {
     const auto k = static_cast<std::size_t>(side);
     const Vector3d now = line.force(side);
     const double theta = part + line.unresolved * (1 - part);
-    const Vector3d force =
-        now + theta * (line.response.forces.col(side) - now - line.response.stiffness[k] * off);
+    const Vector3d force = now + theta * (line.step.response().forces.col(side) - now -
+                                          line.step.response().stiffness[k] * off);
     body.moving->rig_load.force += force;
     body.moving->rig_load.moment += r.cross(force);
     if (!body.rig_inertia) body.rig_inertia = Matrix6d::Zero();
     Eigen::Matrix<double, 3, 6> J;
     J << Eigen::Matrix3d::Identity(), -cross_matrix(r);
     const double weight = (line.between ? 2 : 1) * theta * rest * h;
-    *body.rig_inertia += weight * J.transpose() * line.response.stiffness[k] * J;
+    *body.rig_inertia += weight * J.transpose() * line.step.response().stiffness[k] * J;
   }
 }
 
-void DynamicLines::follow(const std::vector<hydro::BodyState>& states, const LengthAt& length_at) {
-  const double time = step_start_ + step_;
+void DynamicLines::follow(const std::vector<hydro::BodyState>& states) {
   for (Line& line : lines_)
-    if (!line.broken)
-      hydro::advance(line.line, length_at(line.index, time), places(line, states), sea_, time,
-                     step_, line.response.places, line.motion);
+    if (!line.broken) line.step.end(places(line, states), line.motion);
 }
 
 void DynamicLines::add_load(BodyId body, const hydro::BodyState& state, hydro::Wrench& load) const {

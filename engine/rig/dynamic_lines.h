@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/spec.h"
-#include "hydro/lines/lumped_line.h"
+#include "hydro/lines/lumped_step.h"
 
 /// @file
 /// Lines with inertia (hydro/lines/lumped_line.h) on the bodies of a simulation. A line takes the
@@ -59,7 +59,7 @@ class DynamicLines {
   /// inertia. @param time   Halfway [s].
   void add_update(double time, double h, SubstepBody& body) const;
   /// Takes the lines through the step. @param states   At its end.
-  void follow(const std::vector<hydro::BodyState>& states, const LengthAt& length_at);
+  void follow(const std::vector<hydro::BodyState>& states);
 
   /// Brings the lines of a body that has been put elsewhere to rest.
   void settle(BodyId body, const std::vector<hydro::BodyState>& states, double time,
@@ -92,7 +92,7 @@ class DynamicLines {
     bool broken = false;
     hydro::LumpedState motion;
     hydro::LineEnds aimed = hydro::LineEnds::Zero();  ///< x̂ [m]
-    hydro::LineResponse response;
+    hydro::LumpedStep step;
 
     Eigen::Vector3d force(int end) const;
   };

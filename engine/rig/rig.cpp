@@ -191,9 +191,7 @@ void Rig::begin_step(const std::vector<hydro::BodyState>& states, double time, d
   if (!dynamic_->empty()) dynamic_->begin_step(states, time, h, lengths());
 }
 
-void Rig::follow(const std::vector<hydro::BodyState>& states) {
-  dynamic_->follow(states, lengths());
-}
+void Rig::follow(const std::vector<hydro::BodyState>& states) { dynamic_->follow(states); }
 
 std::vector<std::size_t> Rig::end_step(const std::vector<hydro::BodyState>& states, double time,
                                        double h) {

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <limits>
-#include <vector>
 
 #include "hydro/sea.h"
 
@@ -74,25 +72,6 @@ using LineEnds = Eigen::Matrix<double, 3, 2>;
 /// @param sea      The water; null: none.
 LumpedState line_at_rest(const LumpedLine& line, double length, const LineEnds& ends,
                          const Sea* sea);
-
-/// What a line is about to do at the end of a step, if its ends go to given places.
-struct LineResponse {
-  LineEnds forces;                           ///< On what holds its ends [N].
-  std::array<Eigen::Matrix3d, 2> stiffness;  ///< −∂F/∂x of each end, the other one held [N/m].
-  Eigen::Matrix3Xd places;                   ///< Its nodes [m].
-};
-
-/// The response of a line in the step that follows a state.
-/// @param length, ends   At the end of the step.
-/// @param time           End of the step [s].
-/// @param h              Length of the step [s]; that of the step before was the same.
-LineResponse response(const LumpedLine& line, double length, const LineEnds& ends, const Sea* sea,
-                      double time, double h, const LumpedState& state);
-
-/// Takes a line through a step. Arguments as those of response().
-/// @param start   Nodes near the solution, from which its search begins.
-void advance(const LumpedLine& line, double length, const LineEnds& ends, const Sea* sea,
-             double time, double h, const Eigen::Matrix3Xd& start, LumpedState& state);
 
 /// Length of a line that lies on its bottom [m].
 double resting_length(const LumpedLine& line, double length, const LumpedState& state);

@@ -1,4 +1,4 @@
-#include "hydro/lines/lumped_line.h"
+#include "hydro/lines/lumped_step.h"
 
 #include <gtest/gtest.h>
 
@@ -28,11 +28,12 @@ LineEnds ends_at(const Vector3d& first, const Vector3d& second) {
   return ends;
 }
 
-/// One step with ends that are where they are to be.
-void step(const LumpedLine& line, double length, const LineEnds& ends, const hydro::Sea* sea,
+/// A step with ends that are where they are to be.
+void take_step(const LumpedLine& line, double length, const LineEnds& ends, const hydro::Sea* sea,
           double time, double h, LumpedState& state) {
-  const auto found = hydro::response(line, length, ends, sea, time, h, state);
-  hydro::advance(line, length, ends, sea, time, h, found.places, state);
+  hydro::LumpedStep step;
+  step.begin(line, length, ends, sea, time, h, state);
+  step.end(ends, state);
 }
 
 /// Horizontal and vertical pull on the first end, over those of the catenary, less 1.
@@ -108,7 +109,7 @@ double error_of_period(double h) {
   double before = state.places(1, 20), time = 0;
   int passages = 0;
   while (passages < 4) {
-    step(line, kLength, ends, nullptr, time + h, h, state);
+    take_step(line, kLength, ends, nullptr, time + h, h, state);
     const double now = state.places(1, 20);
     time += h;
     if (before * now < 0 && ++passages == 4) time -= h * now / (now - before);
@@ -148,7 +149,7 @@ TEST(LumpedLine, FallsThroughWaterAtTheSpeedOfItsDrag) {
     LumpedState state = hydro::line_at_rest(line, 8, ends, &sea);
     for (int i = 1; i <= 2000; ++i) {
       ends.row(2).array() -= speed * 0.01;
-      step(line, 8, ends, &sea, 0.01 * i, 0.01, state);
+      take_step(line, 8, ends, &sea, 0.01 * i, 0.01, state);
     }
     // At that speed the water bears the line: its holders have nothing to do.
     EXPECT_LT((state.forces.col(0) + state.forces.col(1)).norm(), support::tolerance(1e-3 * 240))
@@ -172,10 +173,10 @@ TEST(LumpedLine, IsNotThrownAboutByAnyStepOrStiffness) {
       LumpedState state = hydro::line_at_rest(line, 38, ends, &sea);
       for (int i = 1; i <= 200; ++i) {
         ends.col(0) = Vector3d(20, 0, -1) + random.vector(0.5);
-        step(line, 38, ends, &sea, h * i, h, state);
+        take_step(line, 38, ends, &sea, h * i, h, state);
         ASSERT_TRUE(state.places.allFinite() && state.forces.allFinite());
       }
-      for (int i = 1; h * i < 30; ++i) step(line, 38, ends, &sea, h * i, h, state);
+      for (int i = 1; h * i < 30; ++i) take_step(line, 38, ends, &sea, h * i, h, state);
       ASSERT_LT(state.velocities.colwise().norm().maxCoeff(), 1) << h << ' ' << stiffness;
     }
 }
@@ -205,7 +206,7 @@ Tensions driven_chain(double amplitude, double period, double drag) {
   for (int i = 1; i * h < 8 * period; ++i) {
     const double time = i * h, ramp = std::min(1.0, time / period / 2);
     ends(0, 0) = 145 + amplitude * ramp * std::sin(2 * std::numbers::pi * time / period);
-    step(line, 158, ends, &sea, time, h, state);
+    take_step(line, 158, ends, &sea, time, h, state);
     if (time < 6 * period) continue;
     const double tension = state.forces.col(0).norm() / 1000;
     found = {std::min(found.least, tension), std::max(found.largest, tension)};
