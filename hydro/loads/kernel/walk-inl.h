@@ -77,6 +77,93 @@ class TableWalk {
   int end_ = 0;
 };
 
+/// The box around a piece of a face, as that of a branch.
+inline Node box_of(const Panels& panels, const TriangleQueue& pieces, int piece) {
+  const std::int64_t place = pieces.face[piece];
+  const Face face = face_of(panels.leaves[static_cast<std::size_t>(place / kLeafFaces)],
+                            static_cast<int>(place % kLeafFaces));
+  Node box;
+  for (int a = 0; a < 3; ++a) {
+    const auto at = [&](int corner) {
+      return face.c[a] + pieces.x[corner][piece] * face.e1[a] +
+             pieces.y[corner][piece] * face.e2[a];
+    };
+    const auto [low, high] = std::minmax({at(0), at(1), at(2)});
+    box.centre[a] = 0.5 * (low + high);
+    box.half[a] = 0.5 * (high - low);
+  }
+  return box;
+}
+
+/// Halves a piece across its longest edge, and puts the halves in its place and behind it.
+template <class Work>
+HWY_NOINLINE void halve(Work& work, TriangleQueue& pieces, int piece) {
+  int longest = 0;
+  double most = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const double squared = std::pow(pieces.x[j][piece] - pieces.x[i][piece], 2) +
+                           std::pow(pieces.y[j][piece] - pieces.y[i][piece], 2);
+    if (squared <= most) continue;
+    longest = i;
+    most = squared;
+  }
+  const int from = longest, to = (longest + 1) % 3;
+  const double x = 0.5 * (pieces.x[from][piece] + pieces.x[to][piece]);
+  const double y = 0.5 * (pieces.y[from][piece] + pieces.y[to][piece]);
+  pad(pieces, piece + static_cast<int>(hn::Lanes(D())));
+  const Plane plane = plane_of(work.panels, pieces, piece);
+  const double depth = hn::GetLane(depth_at(work.in, work.sea, point_on(plane, {all(x), all(y)})));
+  put_piece(pieces, piece, pieces);
+  const int last = pieces.count - 1;
+  const auto set = [&](int which, int corner) {
+    pieces.x[corner][which] = x;
+    pieces.y[corner][which] = y;
+    pieces.depth[corner][which] = depth;
+  };
+  set(piece, to);
+  set(last, from);
+}
+
+/// True if a box lies above the highest crest, or, where what is above the surface is summed,
+/// below the lowest trough.
+inline bool beyond_the_surface(const LoadInputs& in, const Node& box) {
+  const double level = in.below + in.surface->hidden_depth;
+  const double z = centre_along(box, in.up), dz = reach_along(box, in.up);
+  return in.above ? z + dz <= level + in.surface->lowest : z - dz >= level + in.surface->highest;
+}
+
+/// Works on the faces of a leaf that wait. Where its branch is too large for a table and the
+/// surface bends over a face, the face is halved into pieces that each have a table: they have many
+/// places.
+template <Ask kAsk, class Work>
+HWY_NOINLINE void drain_leaf(Work& work) {
+  LocalSea& sea = work.sea;
+  if (sea.table || !work.in.surface->table.pays || work.bending.count == 0)
+    return drain(work, false);
+  TriangleQueue pieces = work.bending;
+  work.bending.count = 0;
+  drain(work, true);
+  while (pieces.count > 0) {
+    const int last = pieces.count - 1;
+    const Node box = box_of(work.panels, pieces, last);
+    const bool counts = !beyond_the_surface(work.in, box);
+    const bool fits = counts && plan_table<kAsk>(box, work.in, sea.wide);
+    if (counts && !fits && pieces.count + kMostLanes < TriangleQueue::kRoom) {
+      halve(work, pieces, last);
+      continue;
+    }
+    if (counts) put_piece(pieces, last, work.bending);
+    --pieces.count;
+    if (fits) {
+      set_table<kAsk>(box, work.in, sea.wide);
+      sea.table = &sea.wide;
+    }
+    drain(work, true);
+    sea.table = nullptr;
+  }
+}
+
 /// Adds all faces of a leaf under flat water.
 template <class Work, class... Known>
 HWY_INLINE void add_leaf(Work& work, const Node& node, Known... known) {
@@ -96,7 +183,7 @@ HWY_INLINE void add_leaf(Work& work, const Node& node, Known... known) {
   drain(work, false);
 }
 
-/// Adds a leaf in waves that may be wet in part.
+/// Adds a leaf in waves that may be wet in part, but for the faces that wait then.
 /// @param water   The water at its vertices: `Depths` or `LeafWater`.
 template <class Work, class Vertices, class... Known>
 HWY_INLINE void add_leaf_under(const Vertices& water, Work& work, int leaf, Known... known) {
@@ -108,7 +195,6 @@ HWY_INLINE void add_leaf_under(const Vertices& water, Work& work, int leaf, Know
                                                  : hn::FirstN(D(), kMostLanes);
     add_faces(work, leaf, lane, straight, at, known...);
   }
-  drain(work, false);
 }
 
 /// Adds a leaf of which the depths alone matter.
@@ -117,6 +203,7 @@ HWY_INLINE void add_leaf_in_waves(Work& work, const Node& node, Known... known) 
   Depths depths;
   find_depths(work.panels, work.in, node, work.sea, depths);
   add_leaf_under(depths, work, node.first, known...);
+  drain(work, false);
 }
 
 /// Adds a leaf under Airy waves.
@@ -125,6 +212,7 @@ HWY_INLINE void add_leaf_in_airy_waves(Work& work, const Node& node, Known... kn
   LeafWater water;
   find_water<kAsk>(work.panels, work.in, node, work.sea, water);
   add_leaf_under(water, work, node.first, known...);
+  drain_leaf<kAsk>(work);
 }
 
 }  // namespace hydro::kernel::HWY_NAMESPACE
