@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 // Begins the bytes of a state; the last digit counts the changes of their layout.
-constexpr std::string_view kMagic = "plimsoll state 16";
+constexpr std::string_view kMagic = "plimsoll state 17";
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -132,8 +132,8 @@ void visit(auto& a, WaterMemory& water) {
   visit_all(a, water.displacement, water.load, water.momentum);
 }
 void visit(auto& a, PocketContent& p) {
-  visit_all(a, p.id, p.volume, p.inflow, p.flooded, p.surface.level, p.surface.area, p.centre_B,
-            p.up_B);
+  visit_all(a, p.id, p.volume, p.inflow, p.flooded, p.air, p.surface.level, p.surface.area,
+            p.centre_B, p.up_B);
 }
 /// The interior follows from the rest (`completed`).
 void visit(auto& a, CarriedWater& water) {

@@ -186,7 +186,8 @@ void make_outside(const scene::Body& body, const std::string& path, MadeBody& ma
 /// hollows: of copies of a `repeat`, as a rule.
 bool made_alike(const scene::Body& a, const scene::Body& b) {
   const auto holds_water = [](const scene::Body& body) {
-    return !body.interior_water.empty() || !body.openings.empty() || !body.pumps.empty();
+    return body.air || !body.interior_water.empty() || !body.openings.empty() ||
+           !body.pumps.empty();
   };
   const scene::Hydro &ha = a.hydro, &hb = b.hydro;
   return a.shape == b.shape && a.density == b.density && a.mass == b.mass &&

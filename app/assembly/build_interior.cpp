@@ -99,6 +99,27 @@ void add_pump(const scene::Pump& pump, const hydro::Interior* interior,
   spec.pumps.push_back(made);
 }
 
+/// True if an opening or a pump leads into a hollow without a mouth.
+bool takes_water_in_a_void(const engine::BodySpec& spec, const hydro::Interior* interior) {
+  if (!interior) return false;
+  const hydro::Pockets& division = interior->division;
+  const auto is_void = [&](int pocket) {
+    return pocket != hydro::kSea &&
+           !std::isfinite(division.pockets[static_cast<std::size_t>(pocket)].spill);
+  };
+  const auto opens = [&](const engine::Opening& opening) {
+    const hydro::WallFaces wall = hydro::wall_at(spec.mesh_B, opening.at_B);
+    return std::ranges::any_of(wall.face, [&](int face) {
+      return face >= 0 && is_void(division.pocket_of_face[static_cast<std::size_t>(face)]);
+    });
+  };
+  const auto fills = [&](const engine::PumpSpec& pump) {
+    return pump.to_B && is_void(hydro::pocket_under(spec.mesh_B, division, *pump.to_B,
+                                                    orientation_of(spec).row(2)));
+  };
+  return std::ranges::any_of(spec.openings, opens) || std::ranges::any_of(spec.pumps, fills);
+}
+
 }  // namespace
 
 void build_interior(const scene::Body& body, engine::BodySpec& spec) {
@@ -111,7 +132,9 @@ void build_interior(const scene::Body& body, engine::BodySpec& spec) {
 
 void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
                    const std::string& key_path, engine::BodySpec& spec, BuildLog& log) {
-  if (body.interior_water.empty() && body.openings.empty() && body.pumps.empty()) return;
+  spec.air = body.air;
+  if (body.interior_water.empty() && body.openings.empty() && body.pumps.empty() && !body.air)
+    return;
   const Eigen::Vector3d up_B = orientation_of(spec).row(2);
   const auto interior = spec.interior == engine::Interior::flooding ? spec.pockets : nullptr;
   for (std::size_t i = 0; i < body.interior_water.size(); ++i) {
@@ -135,6 +158,10 @@ void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
   for (std::size_t i = 0; i < body.pumps.size(); ++i)
     add_pump(body.pumps[i], interior.get(), com_M, fmt::format("{}.pumps[{}]", key_path, i), spec,
              log);
+  if (body.air && !takes_water_in_a_void(spec, interior.get()))
+    log.faults.add(log.scene.places, key_path + ".air",
+                   "traps no air: the body has no hollow without a mouth into which an opening or "
+                   "a pump leads");
 }
 
 std::vector<std::string> interior_warnings(const engine::SimulationSpec& spec) {

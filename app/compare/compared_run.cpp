@@ -42,9 +42,9 @@ TableRows table_of(const InteriorLog& interiors, const TableLayout& layout) {
           track.columns.resize(layout.width());
         }
         track.times.push_back(rows.time);
-        const std::array<double, 9> numbers = {
-            p.volume, p.level,        p.capacity,     p.spill,       p.flooded ? 1.0 : 0.0,
-            p.inflow, p.centroid.x(), p.centroid.y(), p.centroid.z()};
+        const std::array<double, 10> numbers = {
+            p.volume, p.level,        p.capacity,     p.spill,        p.flooded ? 1.0 : 0.0,
+            p.inflow, p.centroid.x(), p.centroid.y(), p.centroid.z(), p.air};
         for (std::size_t i = 0; i < numbers.size(); ++i) track.columns[i].push_back(numbers[i]);
       }
   return table;

@@ -46,8 +46,9 @@ TableLayout interior_layout() {
            {"capacity", "m^3", {"capacity"}},
            {"spill", "m", {"spill"}},
            {"flooded", "1", {"flooded"}},
-           {"inflow", "m^3/s", {"inflow"}},
-           {"centroid", "m", {"x", "y", "z"}}}};
+           {"inflow", "m^3", {"inflow"}},
+           {"centroid", "m", {"x", "y", "z"}},
+           {"air_pressure", "Pa", {"air_pressure"}}}};
 }
 
 std::vector<ComparedTable> make_tables() {

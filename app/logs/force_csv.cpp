@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -11,19 +10,6 @@
 #include "app/logs/log_rows.h"
 
 namespace app {
-namespace {
-
-/// Returns the header of a log: an older version may have written it without the last columns.
-std::string header_of(const std::filesystem::path& file) {
-  std::string header = force_header(), line;
-  std::ifstream stream(file, std::ios::binary);
-  std::getline(stream, line);
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  const bool is_older = line.starts_with("time,body,") && header.starts_with(line + ",");
-  return is_older ? line : header;
-}
-
-}  // namespace
 
 std::string force_header() { return fmt::format("time,body,{}", fmt::join(force_columns(), ",")); }
 
@@ -42,7 +28,7 @@ void ForceWriter::add(double time, const std::vector<engine::BodyForces>& forces
 ForceLog read_force_csv(const std::filesystem::path& file) {
   ForceLog log;
   std::vector<double> numbers(force_columns().size());  // Columns that the log lacks stay 0.
-  const std::string header = header_of(file);
+  const std::string header = written_header(file, force_header());
   const auto given = static_cast<std::size_t>(std::ranges::count(header, ',')) - 1;
   read_rows(file, header, "a log of forces", [&](std::string_view text, int line) {
     const LogRow row = read_log_row(text, file, line, std::span(numbers).first(given));

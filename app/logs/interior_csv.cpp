@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,15 +17,23 @@ namespace app {
 namespace {
 
 constexpr std::string_view kInteriorHeader =
-    "time,body,pocket,volume,level,capacity,spill,flooded,inflow,x,y,z";
+    "time,body,pocket,volume,level,capacity,spill,flooded,inflow,x,y,z,air_pressure";
 
 /// Numbers of a row after the body's name.
-constexpr std::size_t kNumbers = 10;
+constexpr std::size_t kNumbers = 11;
 
 std::array<double, kNumbers> numbers_of(const engine::PocketState& p) {
-  return {
-      static_cast<double>(p.id), p.volume, p.level,          p.capacity,       p.spill,
-      p.flooded ? 1.0 : 0.0,     p.inflow, p.centroid_W.x(), p.centroid_W.y(), p.centroid_W.z()};
+  return {static_cast<double>(p.id),
+          p.volume,
+          p.level,
+          p.capacity,
+          p.spill,
+          p.flooded ? 1.0 : 0.0,
+          p.inflow,
+          p.centroid_W.x(),
+          p.centroid_W.y(),
+          p.centroid_W.z(),
+          p.air};
 }
 
 /// Returns the id of a pocket. @throws InputError if the number is none
@@ -67,21 +78,25 @@ void InteriorWriter::add(double time, const std::vector<engine::InteriorState>& 
 InteriorLog read_interior_csv(const std::filesystem::path& file) {
   InteriorLog log;
   std::array<double, kNumbers> n{};
-  read_rows(file, kInteriorHeader, "a log of the water inside",
-            [&](std::string_view text, int line) {
-              const LogRow row = read_log_row(text, file, line, n, LogField::may_be_empty);
-              std::vector<InteriorRows>& rows = log[std::string(row.body)];
-              if (rows.empty() || rows.back().time != row.time)
-                rows.push_back({.time = row.time, .pockets = {}});
-              rows.back().pockets.push_back({.id = id_from(n[0], file, line),
-                                             .volume = n[1],
-                                             .level = n[2],
-                                             .capacity = n[3],
-                                             .spill = n[4],
-                                             .flooded = n[5] != 0,
-                                             .inflow = n[6],
-                                             .centroid = {n[7], n[8], n[9]}});
-            });
+  n.back() = NAN;  // A log that lacks it knows no trapped air.
+  const std::string header = written_header(file, kInteriorHeader);
+  const auto given = static_cast<std::size_t>(std::ranges::count(header, ',')) - 1;
+  read_rows(file, header, "a log of the water inside", [&](std::string_view text, int line) {
+    const LogRow row =
+        read_log_row(text, file, line, std::span(n).first(given), LogField::may_be_empty);
+    std::vector<InteriorRows>& rows = log[std::string(row.body)];
+    if (rows.empty() || rows.back().time != row.time)
+      rows.push_back({.time = row.time, .pockets = {}});
+    rows.back().pockets.push_back({.id = id_from(n[0], file, line),
+                                   .volume = n[1],
+                                   .level = n[2],
+                                   .capacity = n[3],
+                                   .spill = n[4],
+                                   .flooded = n[5] != 0,
+                                   .inflow = n[6],
+                                   .centroid = {n[7], n[8], n[9]},
+                                   .air = n[10]});
+  });
   return log;
 }
 

@@ -49,6 +49,7 @@ struct PocketRow {
   bool flooded = false;
   double inflow = 0;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  double air = 0;  ///< Pressure of the air [Pa].
 };
 
 /// The pockets of one body at a time.

@@ -50,6 +50,15 @@ LogRow read_log_row(std::string_view text, const std::filesystem::path& file, in
   return {time, fields[1]};
 }
 
+std::string written_header(const std::filesystem::path& file, std::string_view header) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  std::getline(stream, line);
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  const bool is_older = line.starts_with("time,body,") && header.starts_with(line + ",");
+  return is_older ? line : std::string(header);
+}
+
 void read_rows(const std::filesystem::path& file, std::string_view header, const std::string& kind,
                const std::function<void(std::string_view row, int line)>& read) {
   std::ifstream stream(file, std::ios::binary);

@@ -32,6 +32,10 @@ enum class LogField { number, may_be_empty };
 LogRow read_log_row(std::string_view text, const std::filesystem::path& file, int line,
                     std::span<double> numbers, LogField field = LogField::number);
 
+/// Returns the header of a log: an older version may have written it without the last columns.
+/// @param header   The present one.
+std::string written_header(const std::filesystem::path& file, std::string_view header);
+
 /// Calls `read` with each row of a log and its line number. A last line without an end is dropped.
 /// @param kind   Kind of log that a fault names: `a trajectory`.
 /// @throws InputError if the file cannot be read or begins with another header.

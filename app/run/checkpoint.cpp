@@ -162,6 +162,7 @@ std::string digest_of(const engine::SimulationSpec& spec) {
       digest.add(opening.at_B);
       digest.add(opening.area * opening.discharge);
     }
+    if (body.air) digest.add(1.0);
     for (const engine::WaterAtStart& water : body.interior_water) digest.add(water.volume);
     for (const engine::PumpSpec& pump : body.pumps) {
       digest.add(pump.from_B);

@@ -179,6 +179,7 @@ struct Body {
   Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< At time 0, in W [rad/s].
   Interior interior = Interior::flooding;     ///< Model of the water in its hollows.
+  bool air = false;                           ///< Its closed hollows trap their air.
   std::vector<InteriorWater> interior_water;  ///< Water in its hollows at time 0.
   std::vector<Opening> openings;              ///< Holes in its walls.
   std::vector<Pump> pumps;                    ///< Pumps of its hollows.

@@ -235,6 +235,10 @@ constexpr auto kBodyMeanings = std::to_array<Meaning>({
      "their rims or through `openings`; it then has a level of its own in each of them. With "
      "`dry` those that the body has at time 0 are closed by lids, and voids are dry. With `wet` "
      "all that is below the surface is in the sea."},
+    {"bodies[].air",
+     "True: the air in hollows without a mouth stays in them, but for what leaves through "
+     "`openings`, and its pressure holds back the water. The body needs such a hollow with an "
+     "opening or a pump into it. False: the air gives way to the water."},
     {"bodies[].interior_water", "Water in the hollows at time 0."},
     {"bodies[].interior_water[].at",
      "A point in the hollow, in the mesh frame: the hollow's surface is straight below it."},

@@ -40,7 +40,7 @@ void read(MapReader& map, Body& body);
 void read(MapReader& map, Eigen::Quaterniond& orientation);
 void read(MapReader& map, AppliedLoad& load);
 void read(MapReader& map, AppliedLoad::Sine& sine);
-/// Reads `interior`, `interior_water`, `openings` and `pumps`.
+/// Reads `interior`, `air`, `interior_water`, `openings` and `pumps`.
 void read_interior(MapReader& map, Body& body);
 void read(MapReader& map, InteriorWater& water);
 void read(MapReader& map, Opening& opening);

@@ -24,11 +24,13 @@ void read_outlet(MapReader& map, std::optional<Eigen::Vector3d>& to) {
 
 void read_interior(MapReader& map, Body& body) {
   map.optional("interior", body.interior, kInteriors);
+  map.optional("air", body.air, TruthRule{});
   map.blocks("interior_water", body.interior_water);
   map.blocks("openings", body.openings);
   map.blocks("pumps", body.pumps);
   if (body.interior == Interior::flooding) return;
   const std::string needed = "needs interior: flooding, with which hollows take up water";
+  if (body.air) map.fault("air", needed);
   if (!body.interior_water.empty()) map.fault("interior_water", needed);
   if (!body.openings.empty()) map.fault("openings", needed);
   if (!body.pumps.empty()) map.fault("pumps", needed);

@@ -145,6 +145,8 @@ inline constexpr double kKeptVolume = 5e-4;  ///< The same of volumes, over that
 inline constexpr double kJoinedHead = 0.25;
 /// Water in a pocket, over its capacity or the cube of the radius, that is none [-].
 inline constexpr double kLastWater = 1e-12;
+/// Pressure of the atmosphere on trapped air [Pa].
+inline constexpr double kAtmosphere = 101325;
 /// Parts in which water runs for a substep in which a sill or opening crosses its surface, or
 /// nearly does, or a pocket becomes a part of the sea [-]. Fewer: what runs depends more on the
 /// substep.

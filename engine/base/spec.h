@@ -106,6 +106,7 @@ struct BodySpec {
   std::shared_ptr<const hydro::Resistance> resistance;
   bool wet = true;                           ///< False: the water has no effect on it.
   Interior interior = Interior::wet;         ///< Water in its pockets.
+  bool air = false;                          ///< Its voids trap their air (trapped_air.h).
   std::vector<Opening> openings;             ///< Holes in its walls.
   std::vector<PumpSpec> pumps;               ///< Pumps of its pockets.
   std::vector<WaterAtStart> interior_water;  ///< Water in its pockets at time 0.

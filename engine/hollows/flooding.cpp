@@ -5,7 +5,9 @@
 
 #include "engine/base/constants.h"
 #include "engine/hollows/pocket_search.h"
+#include "engine/hollows/spaces.h"
 #include "engine/hollows/streams.h"
+#include "engine/hollows/trapped_air.h"
 #include "engine/motion/body.h"
 #include "engine/motion/substep_path.h"
 #include "hydro/airy_waves.h"
@@ -19,15 +21,6 @@ using hydro::kSea;
 constexpr double kPoint[] = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr double kWeight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-/// The water that runs between two spaces.
-struct Stream {
-  double rate = 0;           ///< Into the first one [m^3/s].
-  double sea_level = 0;      ///< Mean over its length, if the second one is the sea.
-  double lowest = HUGE_VAL;  ///< Lowest point of its sill or opening.
-  bool submerged = true;     ///< All of the sill is below the second one's level.
-  double length = 0;         ///< Length of the sill under water [m].
-};
-
 /// Lets water run between the pockets of one body at one pose. Heights are above the centre of
 /// mass.
 class Flooding {
@@ -36,11 +29,8 @@ class Flooding {
   Flooding(const Body& body, const hydro::BodyState& state, double time,
            const std::vector<double>& rates, CarriedWater& carried)
       : body_(body),
-        sea_(*body.environment.sea),
-        state_(state),
-        time_(time),
-        R_WB_(state.orientation.toRotationMatrix()),
-        division_(carried.interior->division),
+        spaces_(body, state, time, carried),
+        division_(spaces_.division()),
         rates_(rates),
         water_(carried) {}
 
@@ -52,49 +42,25 @@ class Flooding {
  private:
   using Sill = std::vector<hydro::SillEdge>::const_iterator;
 
-  bool is_sea(int space) const { return space == kSea || water_.pockets[space].flooded; }
-  double sea_level(const Eigen::Vector3d& r) const;
-  double level(int space, const Eigen::Vector3d& r) const;
-  Eigen::Vector3d vertex(int i) const { return R_WB_ * body_.spec->mesh_B.vertices.col(i); }
-  const hydro::Hull& hull(int pocket) const { return water_.interior->pockets[pocket]; }
-  double volume_up_to(int pocket, double level) const {
-    return hydro::water_up_to(hull(pocket), R_WB_, level).volume;
-  }
+  bool is_sea(int space) const { return spaces_.is_sea(space); }
+  double sea_level(const Eigen::Vector3d& r) const { return spaces_.sea_level(r); }
+  double level(int space, const Eigen::Vector3d& r) const { return spaces_.level(space, r); }
+  Eigen::Vector3d vertex(int i) const { return spaces_.vertex(i); }
 
   void add_edge(const hydro::SillEdge& edge, Stream& stream) const;
   void run_over(Sill from, Sill to, double h);
   void run_through(std::size_t opening, double h);
   void run_pump(std::size_t pump, double h);
-  double head(int space, const Eigen::Vector3d& r) const;
-  double equalising(int from, int to, const Stream& stream) const;
-  void exchange(int first, int second, const Stream& stream, double h);
-  void bring(int from, int to, double volume);
   bool is_joined(int pocket, const Stream& stream) const;
-  void set_volume(int pocket, double volume);
   void flood(int pocket);
   void isolate();
-  double spill_of(const std::vector<int>& group, bool into_sea = false) const;
 
   const Body& body_;
-  const hydro::Sea& sea_;
-  const hydro::BodyState& state_;
-  double time_;
-  Eigen::Matrix3d R_WB_;
+  Spaces spaces_;
   const hydro::Pockets& division_;
   const std::vector<double>& rates_;
   CarriedWater& water_;
 };
-
-double Flooding::sea_level(const Eigen::Vector3d& r) const {
-  const Eigen::Vector3d p = state_.position + r;
-  return sea_.level - state_.position.z() + hydro::surface_elevation(sea_, p.x(), p.y(), time_);
-}
-
-double Flooding::level(int space, const Eigen::Vector3d& r) const {
-  if (is_sea(space)) return sea_level(r);
-  const PocketContent& content = water_.pockets[space];
-  return content.volume > 0 ? content.surface.level : -HUGE_VAL;
-}
 
 /// Adds what runs over an edge of a sill.
 void Flooding::add_edge(const hydro::SillEdge& edge, Stream& stream) const {
@@ -118,8 +84,8 @@ void Flooding::add_edge(const hydro::SillEdge& edge, Stream& stream) const {
     const auto at = [s](const std::array<double, 2>& ends) {
       return std::isfinite(ends[0] + ends[1]) ? ends[0] + s * (ends[1] - ends[0]) : -HUGE_VAL;
     };
-    const double in = weir_flow(at(second), at(first), sea_.gravity);
-    const double out = weir_flow(at(first), at(second), sea_.gravity);
+    const double in = weir_flow(at(second), at(first), spaces_.sea().gravity);
+    const double out = weir_flow(at(first), at(second), spaces_.sea().gravity);
     const double weight = kWeight[k] * length;
     stream.rate += weight * (at(second) > at(first) ? in : -out);
     stream.length += weight;
@@ -139,84 +105,49 @@ void Flooding::run_over(Sill from, Sill to, double h) {
     Stream turned = stream;
     turned.rate = -stream.rate;
     turned.sea_level = sea_level(vertex(from->from));
-    exchange(second, kSea, turned, h);
+    spaces_.exchange(second, kSea, turned, h);
     if (is_joined(second, turned)) flood(second);
   } else {
-    exchange(first, second, stream, h);
+    spaces_.exchange(first, second, stream, h);
     if (is_sea(second) && is_joined(first, stream)) flood(first);
   }
-}
-
-/// Head of the pressure on one side of an opening; 0 above the water.
-double Flooding::head(int space, const Eigen::Vector3d& r) const {
-  const double depth = level(space, r) - r.z();
-  if (!(depth > 0)) return 0;
-  if (!is_sea(space)) return depth;
-  return std::max(0.0, hydro::AiryWaves(sea_, time_).at(state_.position + r, depth).head);
 }
 
 void Flooding::run_through(std::size_t opening, double h) {
   const auto [first, second] = water_.openings[opening];
   if (first == second || (is_sea(first) && is_sea(second))) return;
   const Opening& hole = body_.spec->openings[opening];
-  const Eigen::Vector3d r = R_WB_ * hole.at_B;
+  const Eigen::Vector3d r = spaces_.R_WB() * hole.at_B;
   const int inner = is_sea(first) ? second : first, outer = is_sea(first) ? first : second;
-  const double difference = head(outer, r) - head(inner, r);
-  if (difference == 0) return;
-  Stream stream{
-      .rate = hole.discharge * hole.area *
-              std::copysign(std::sqrt(2 * sea_.gravity * std::abs(difference)), difference),
-      .lowest = r.z()};
-  if (is_sea(outer)) stream.sea_level = r.z() + head(outer, r);
-  exchange(inner, outer, stream, h);
+  const double difference = spaces_.head(outer, r) - spaces_.head(inner, r);
+  if (difference == 0 || !(level(difference > 0 ? outer : inner, r) > r.z())) return;
+  Stream stream{.rate = hole.discharge * hole.area *
+                        std::copysign(std::sqrt(2 * spaces_.sea().gravity * std::abs(difference)),
+                                      difference),
+                .lowest = r.z(),
+                .head = std::abs(difference)};
+  if (is_sea(outer)) stream.sea_level = r.z() + spaces_.head(outer, r);
+  spaces_.exchange(inner, outer, stream, h);
 }
 
 void Flooding::run_pump(std::size_t pump, double h) {
   const auto [from, to] = water_.pumps[pump];
   if (!(rates_[pump] > 0) || from == to || (is_sea(from) && is_sea(to))) return;
   const PumpSpec& spec = body_.spec->pumps[pump];
-  const Eigen::Vector3d suction = R_WB_ * spec.from_B;
-  const Eigen::Vector3d outlet = R_WB_ * spec.to_B.value_or(spec.from_B);
+  const Eigen::Vector3d suction = spaces_.R_WB() * spec.from_B;
+  const Eigen::Vector3d outlet = spaces_.R_WB() * spec.to_B.value_or(spec.from_B);
   const double low = level(from, suction);
   if (!(low > suction.z())) return;
   const double high = spec.to_B ? std::max(level(to, outlet), outlet.z()) : level(to, outlet);
-  double volume = pump_flow(rates_[pump], high - low, spec.head) * h;
+  const auto air = [&](int space) { return is_sea(space) ? 0 : air_head(spaces_, space); };
+  const double lift = high - low + air(to) - air(from);
+  double volume = pump_flow(rates_[pump], lift, spec.head) * h;
   if (!is_sea(from))
-    volume = std::min(volume, water_.pockets[from].volume - volume_up_to(from, suction.z()));
-  if (!is_sea(to) && !std::isfinite(spill_of({to})))  // A full void takes no more.
-    volume = std::min(volume, division_.pockets[to].capacity - water_.pockets[to].volume);
-  if (volume > 0) bring(from, to, volume);
-}
-
-/// The volume that makes the levels of two spaces equal, or the higher one that of the sill.
-double Flooding::equalising(int from, int to, const Stream& stream) const {
-  const auto level_of = [&](int space) {
-    return is_sea(space) ? stream.sea_level : water_.pockets[space].surface.level;
-  };
-  const bool filled = is_sea(to) || water_.pockets[to].volume > 0;
-  const double high = level_of(from);
-  const double low = std::max(stream.lowest, filled ? level_of(to) : -HUGE_VAL);
-  const double lacking =
-      is_sea(to) ? HUGE_VAL : std::max(0.0, volume_up_to(to, high) - water_.pockets[to].volume);
-  const double spare = is_sea(from)
-                           ? HUGE_VAL
-                           : std::max(0.0, water_.pockets[from].volume - volume_up_to(from, low));
-  if (low > stream.lowest && std::isfinite(lacking) && std::isfinite(spare) && lacking + spare > 0)
-    return lacking * spare / (lacking + spare);
-  return std::min(lacking, spare);
-}
-
-/// Lets a stream run into the first space, a pocket, for a time h.
-void Flooding::exchange(int first, int second, const Stream& stream, double h) {
-  const bool in = stream.rate > 0;
-  const double whole = equalising(in ? second : first, in ? first : second, stream);
-  const double volume = limited_flow(std::abs(stream.rate) * h, whole);
-  if (volume > 0) bring(in ? second : first, in ? first : second, volume);
-}
-
-void Flooding::bring(int from, int to, double volume) {
-  if (!is_sea(from)) set_volume(from, water_.pockets[from].volume - volume);
-  if (!is_sea(to)) set_volume(to, water_.pockets[to].volume + volume);
+    volume =
+        std::min(volume, water_.pockets[from].volume - spaces_.volume_up_to(from, suction.z()));
+  if (!is_sea(to) && spaces_.is_void(to))  // A full void takes no more.
+    volume = std::min(volume, spaces_.capacity(to) - water_.pockets[to].volume);
+  if (volume > 0) spaces_.bring(from, to, volume);
 }
 
 /// True if the sea above a sill and the water in a full pocket behind it are one.
@@ -224,29 +155,10 @@ bool Flooding::is_joined(int pocket, const Stream& stream) const {
   const double over = stream.sea_level - stream.lowest;
   const double level = water_.pockets[pocket].surface.level;
   const bool near = std::abs(stream.sea_level - level) <= kJoinedHead * over;
-  const double whole = volume_up_to(pocket, spill_of({pocket}));
+  const double whole = spaces_.volume_up_to(pocket, spaces_.spill_of({pocket}));
   // A pocket whose mouth looks down holds nothing.
   const bool turned = whole <= kLastWater * division_.pockets[pocket].capacity;
   return over > 0 && (stream.submerged || near || turned) && water_.pockets[pocket].volume >= whole;
-}
-
-/// Gives a pocket another volume of water, and its mass another place if some has come in.
-void Flooding::set_volume(int pocket, double volume) {
-  PocketContent& content = water_.pockets[pocket];
-  const double before = content.volume;
-  // A volume that runs out ever slower ends at nothing, and one below the round-off of a body's
-  // volumes has no surface that could be found.
-  const double size = std::max(division_.pockets[pocket].capacity, std::pow(body_.radius, 3));
-  if (volume <= kLastWater * size) volume = 0;
-  content.inflow += volume - before;
-  content.volume = volume;
-  if (!(volume > 0)) return;
-  const hydro::WaterInside water = hydro::water_of(hull(pocket), R_WB_, volume, content.surface);
-  content.surface = {water.level, water.area};
-  if (volume <= before) return;
-  const Eigen::Vector3d come = R_WB_.transpose() * hydro::centroid_of(hull(pocket), R_WB_, water);
-  content.centre_B = (before * content.centre_B + (volume - before) * come) / volume;
-  if (before == 0) content.up_B = R_WB_.row(2);
 }
 
 /// Makes a pocket part of the sea. It carries the most water that it has held, and would hold up to
@@ -254,23 +166,9 @@ void Flooding::set_volume(int pocket, double volume) {
 void Flooding::flood(int pocket) {
   PocketContent& content = water_.pockets[pocket];
   content.flooded = true;
-  content.surface.level = spill_of({pocket});
-  const double whole = volume_up_to(pocket, content.surface.level);
-  if (whole > content.volume) set_volume(pocket, whole);
-}
-
-/// The height above which a group of pockets overflows into others, or into the sea alone.
-double Flooding::spill_of(const std::vector<int>& group, bool into_sea) const {
-  double spill = HUGE_VAL;
-  for (const hydro::SillEdge& edge : division_.sills) {
-    const auto in = [&](int space) {
-      return std::find(group.begin(), group.end(), space) != group.end();
-    };
-    const int outside = in(edge.pocket) ? edge.other : edge.pocket;
-    if (in(edge.pocket) != in(edge.other) && (is_sea(outside) || !into_sea))
-      spill = std::min({spill, vertex(edge.from).z(), vertex(edge.to).z()});
-  }
-  return spill;
+  content.surface.level = spaces_.spill_of({pocket});
+  const double whole = spaces_.volume_up_to(pocket, content.surface.level);
+  if (whole > content.volume) spaces_.set_volume(pocket, whole);
 }
 
 /// Parts flooded pockets from the sea that no water above a sill connects with it.
@@ -295,23 +193,25 @@ void Flooding::isolate() {
   for (const std::vector<int>& pockets : parted) {
     if (pockets.empty()) continue;
     // Over lower sills it runs into other pockets, not at once.
-    double spill = spill_of(pockets, true);
-    if (!std::isfinite(spill)) spill = spill_of(pockets);
+    double spill = spaces_.spill_of(pockets, true);
+    if (!std::isfinite(spill)) spill = spaces_.spill_of(pockets);
     for (const int i : pockets) {
       water_.pockets[i].surface.level = spill;
-      set_volume(i, volume_up_to(i, spill));
+      spaces_.set_volume(i, spaces_.volume_up_to(i, spill));
     }
   }
 }
 
 bool Flooding::differs(const hydro::BodyState& there, double later) const {
   const auto sea_over = [&](const hydro::BodyState& s, double time) {
-    return hydro::surface_height(sea_, s.position.x(), s.position.y(), time) - s.position.z();
+    return hydro::surface_height(spaces_.sea(), s.position.x(), s.position.y(), time) -
+           s.position.z();
   };
-  const double rise = sea_over(there, time_ + later) - sea_over(state_, time_);
+  const double rise =
+      sea_over(there, spaces_.time() + later) - sea_over(spaces_.state(), spaces_.time());
   const Eigen::RowVector3d up_there = there.orientation.toRotationMatrix().row(2);
   const auto differs = [&](const Eigen::Vector3d& p_B, int space) {
-    const Eigen::Vector3d r = R_WB_ * p_B;
+    const Eigen::Vector3d r = spaces_.R_WB() * p_B;
     const double over = level(space, r) - r.z();
     const double over_there = over + r.z() - up_there.dot(p_B) + (is_sea(space) ? rise : 0);
     return std::max(over, over_there) > 0 && std::abs(over_there - over) > std::abs(over) / 2;
@@ -340,6 +240,7 @@ void Flooding::run(double h) {
   }
   for (std::size_t i = 0; i < water_.openings.size(); ++i) run_through(i, h);
   for (std::size_t i = 0; i < water_.pumps.size(); ++i) run_pump(i, h);
+  pass_air(spaces_);
 }
 
 /// True if water may run for a time h about the end of a way.

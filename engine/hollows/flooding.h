@@ -24,6 +24,8 @@
 /// with the lift H from the level at its suction to that at its outlet, or to the outlet where that
 /// is higher, and no more than stands above its suction.
 ///
+/// In a void that traps its air this adds to the heads at openings (trapped_air.h).
+///
 /// A pocket over whose sill the sea runs is flooded once both levels agree, or once it is full
 /// while all of its sill is under water: nothing holds back the sea then. It is parted from the sea
 /// when no water above a sill connects it any more, full to the lowest of its sills to the sea.

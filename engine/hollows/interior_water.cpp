@@ -36,12 +36,15 @@ PocketState pocket_state(const MovingBody& moving, int pocket, double time) {
                      .spill = HUGE_VAL,
                      .flooded = content.flooded,
                      .inflow = content.inflow,
+                     .air = NAN,
                      .centroid_W = Eigen::Vector3d::Constant(NAN)};
   const auto sill =
       lowest_of_sill(moving.body.spec->mesh_B, carried.interior->division, pocket, state);
   if (sill) {
     report.spill = sill->z();
     report.capacity = hydro::water_up_to(hull, R_WB, sill->z() - state.position.z()).volume;
+  } else if (moving.body.spec->air) {
+    report.air = content.air / air_volume(content, report.capacity);
   }
   if (!content.holds()) return report;
   if (content.flooded) {

@@ -22,6 +22,7 @@ struct PocketState {
   double spill = 0;      ///< z in W above which it overflows; infinite for a void [m].
   bool flooded = false;  ///< It is a part of the sea.
   double inflow = 0;     ///< Net volume that has come in since the start [m^3].
+  double air = 0;        ///< Pressure of its trapped air [Pa]; NaN where none is trapped.
   /// Centroid of its water [m]; NaN without.
   Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();
 };

@@ -101,6 +101,7 @@ void take_over(const Body& body, const hydro::BodyState& state, double time,
     content.volume += old.pockets[i].volume;
     content.inflow += old.pockets[i].inflow;
     content.flooded = content.flooded || old.pockets[i].flooded;
+    content.air += old.pockets[i].air;
     from_sea[to] -= hydro::water_up_to(old.interior->pockets[i], R_WB, sea[to]).volume;
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -110,6 +111,7 @@ void take_over(const Body& body, const hydro::BodyState& state, double time,
     if (!known[i]) {
       content.id = carried.next_id++;
       content.flooded = sea[i] > pocket.spill;
+      content.air = air_at_rest(body, pocket, 0);
     }
     if (from_sea[i] > kKeptSpill * pocket.capacity) {
       content.volume += from_sea[i];

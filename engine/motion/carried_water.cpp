@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "engine/base/constants.h"
@@ -47,6 +48,7 @@ void fill(const Body& body, const Eigen::Matrix3d& R_WB, CarriedWater& carried) 
   }
   for (std::size_t i = 0; i < carried.pockets.size(); ++i) {
     PocketContent& content = carried.pockets[i];
+    content.air = air_at_rest(body, carried.interior->division.pockets[i], content.volume);
     if (!content.holds()) continue;
     const hydro::Hull& hull = carried.interior->pockets[i];
     const hydro::WaterInside water = hydro::water_of(hull, R_WB, content.volume);
@@ -88,6 +90,15 @@ void find_sides(const Body& body, CarriedWater& carried) {
 
 bool CarriedWater::holds() const {
   return std::any_of(pockets.begin(), pockets.end(), [](const auto& p) { return p.holds(); });
+}
+
+double air_at_rest(const Body& body, const hydro::Pocket& pocket, double water) {
+  if (!body.spec->air || std::isfinite(pocket.spill)) return 0;
+  return kAtmosphere * std::max(0.0, pocket.capacity - water);
+}
+
+double air_volume(const PocketContent& content, double capacity) {
+  return std::max(capacity - content.volume, kLastWater * capacity);
 }
 
 bool holds_water(const Motion& motion) {

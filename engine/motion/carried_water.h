@@ -32,6 +32,7 @@ struct PocketContent {
   double volume = 0;          ///< Water that moves with the body [m^3].
   double inflow = 0;          ///< Net volume that has come in [m^3].
   bool flooded = false;       ///< The water is a part of the sea.
+  double air = 0;             ///< p V of the air in a void that traps it (trapped_air.h) [J].
   hydro::LevelGuess surface;  ///< At the end of the last substep; flooded or dry: of no meaning.
   Eigen::Vector3d centre_B = Eigen::Vector3d::Zero();  ///< Where its mass is [m].
   Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();     ///< The vertical for which that was found.
@@ -55,6 +56,13 @@ struct CarriedWater {
 
   bool holds() const;
 };
+
+/// p V of the air in a void at the pressure of the atmosphere, over some water; 0 where no air is
+/// trapped [J].
+double air_at_rest(const Body& body, const hydro::Pocket& pocket, double water);
+
+/// Volume of the air in a void; a full one keeps a trace, so that quotients are finite [m^3].
+double air_volume(const PocketContent& content, double capacity);
 
 /// True if the motion holds water.
 bool holds_water(const Motion& motion);

@@ -84,6 +84,7 @@ std::string every_key() {
          "    restitution: 0.5\n"
          "    lock: [x, yaw]\n"
          "    interior: flooding\n"
+         "    air: true\n"
          "    interior_water: [{at: [1, 2, 3], volume: 4}, {at: [5, 6, 7], level: 8}]\n"
          "    openings: [{at: [1, 2, 3], area: 0.25, discharge: 0.5}]\n"
          "    pumps: [{name: q, from: [1, 2, 3], to: [4, 5, 6], rate: 0.5, head: 8},\n"

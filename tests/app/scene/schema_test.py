@@ -39,7 +39,7 @@ UNSEEN = [
     r"found a table", r"of a table is horizontal", r"expected a greater depth",
     r"one for each depth",
     r"at least the lowest frequency", r"which is below the bottom", r"needs water, and the scene",
-    r"needs interior: flooding", r"hollow that holds", r"is below the hollow", r"the far side of",
+    r"needs interior: flooding", r"traps no air", r"hollow that holds", r"is below the hollow", r"the far side of",
     r"the same water on both sides", r"which is the pair of", r"friction, restitution or both",
     r"stands for the ground", r"has collision: none", r"pass through each other",
     r"found \w+ twice", r"\.formula: ", r"sets .* already", r"the lower limit first",
