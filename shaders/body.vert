@@ -7,6 +7,7 @@ layout(location = 2) in vec2 a_heights;  // depth below the water surface and he
 layout(location = 3) in float a_open;    // share of the sky that the body itself does not hide
 layout(location = 4) in vec3 a_flow;     // velocity of the water relative to the current, W [m/s]
 layout(location = 5) in vec3 a_color;    // of the triangle, where they have colours of their own
+layout(location = 6) in vec2 a_coordinates;  // in the triangle's texture, where it has one
 
 uniform mat3 u_rotation;  // R_WB
 uniform vec3 u_position;  // p_EB [m]
@@ -24,6 +25,7 @@ out float v_depth;
 out float v_head;
 out float v_open;
 flat out vec3 v_color;
+centroid out vec2 v_coordinates;  // not beyond the triangle, where its texture has other parts
 
 void main() {
   vec3 arm = u_rotation * a_position_B;
@@ -34,5 +36,6 @@ void main() {
   v_head = a_heights.y;
   v_open = a_open;
   v_color = a_color;
+  v_coordinates = a_coordinates;
   gl_Position = u_clip_from_E * vec4(v_position_E, 1.0);
 }

@@ -45,6 +45,7 @@ FOREIGN = {
     r"ode/": ("ODE", r"engine/contacts/\w+\.cpp"),
     r"(EGL|GL|GLFW)/": ("EGL and OpenGL", r"app/(render|view)/\w+\.(h|cpp)"),
     r"(un)?zip\.h": ("minizip", r"app/fmu/zip_archive\.cpp"),
+    r"j(peglib|error)\.h": ("libjpeg", r"app/render/jpeg\.cpp"),
     r"muParser": ("muparser", r"app/scene/formula\.cpp"),
     r"pybind11/": ("pybind11", r"app/python/\w+\.(h|cpp)"),
     r"yaml-cpp/": ("yaml-cpp", r"app/scene/\w+\.(h|cpp)"),

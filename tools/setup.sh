@@ -6,8 +6,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 packages=(
   g++ cmake ninja-build pkg-config
   libassimp-dev libcli11-dev libegl-dev libeigen3-dev libfmt-dev libfontconfig-dev libfreetype-dev
-  libgl-dev libglfw3-dev libhdf5-dev libhwy-dev libmuparser-dev libode-dev libpng-dev libtbb-dev libyaml-cpp-dev
-  libminizip-dev nlohmann-json3-dev
+  libgl-dev libglfw3-dev libhdf5-dev libhwy-dev libjpeg-dev libmuparser-dev libode-dev libpng-dev libtbb-dev
+  libyaml-cpp-dev libminizip-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev python3 python3-numpy
   fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri
 )

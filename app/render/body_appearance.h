@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/render/interior_look.h"
+#include "app/render/texture_map.h"
 #include "hydro/loads/coefficients.h"
 #include "hydro/mesh/mesh.h"
 
@@ -14,6 +15,8 @@ namespace render {
 struct Paint {
   hydro::TriMesh surface_B;
   Eigen::Matrix3Xf colors;  ///< Colour of each triangle, RGB 0 … 1; negative: none.
+  /// Images over the triangles, of which `colors` has the means; null: there are none.
+  std::shared_ptr<const TextureMap> textures = {};
 };
 
 /// Look of a body, constant over a sequence.

@@ -17,29 +17,63 @@ using Eigen::Vector3d;
 /// picture.
 constexpr double kMostFaces = 100'000;
 
+std::vector<DrawnPart> drawn_parts(GlTextures& textures, const std::vector<SkinPart>& parts) {
+  std::vector<DrawnPart> drawn;
+  for (const SkinPart& part : parts)
+    drawn.push_back({.texture = part.texture ? textures.of(*part.texture) : 0,
+                     .first = part.first,
+                     .count = part.count});
+  return drawn;
+}
+
 }  // namespace
 
-DrawnBody make_body(const GlFunctions& gl, const BodyAppearance& look, double longest_edge,
-                    bool wireframe) {
+DrawnBody make_body(const GlFunctions& gl, GlTextures& textures, const BodyAppearance& look,
+                    double longest_edge, bool wireframe) {
   hydro::TriMesh mesh_B =
       std::isfinite(longest_edge) ? subdivided(look.mesh_B, longest_edge, kMostFaces) : look.mesh_B;
   ShadedMesh skin = make_shaded_mesh(mesh_B);
-  Eigen::Matrix3Xf colors;
+  PaintedSkin painted;
   if (look.paint) {
-    PaintedSkin painted = painted_skin(skin, *look.paint, look.color.cast<float>());
+    painted = painted_skin(skin, *look.paint, look.color.cast<float>());
     skin = std::move(painted.skin);
-    colors = std::move(painted.colors);
   }
   GlMesh mesh(gl, skin.triangles);
   mesh.set(0, skin.vertices.cast<float>());
   mesh.set(1, skin.normals.cast<float>());
   mesh.set(3, openness(look.mesh_B, skin));
-  if (look.paint) mesh.set(5, colors);
+  if (look.paint) mesh.set(5, painted.colors);
+  if (!painted.parts.empty()) mesh.set(6, painted.coordinates);
   GlMesh edges(gl, wireframe ? edges_of(look.mesh_B) : creases_of(look.mesh_B));
   edges.set(0, look.mesh_B.vertices.cast<float>());
   const double radius = mesh_B.vertices.colwise().norm().maxCoeff();
-  return {std::move(mesh_B), radius,           std::move(skin),
-          std::move(mesh),   std::move(edges), look.paint != nullptr};
+  return {.mesh_B = std::move(mesh_B),
+          .radius = radius,
+          .skin_B = std::move(skin),
+          .mesh = std::move(mesh),
+          .edges = std::move(edges),
+          .painted = look.paint != nullptr,
+          .parts = drawn_parts(textures, painted.parts),
+          .of_light = !painted.parts.empty() && look.paint->textures->of_light};
+}
+
+void draw_look(const GlFunctions& gl, const GlProgram& program, const DrawnBody& body,
+               const Vector3d& color) {
+  program.set("u_color", color);
+  program.set("u_painted", body.painted ? 1 : 0);
+  if (body.parts.empty()) {
+    body.mesh.draw();
+    return;
+  }
+  program.set("u_of_light", body.of_light ? 1 : 0);
+  program.set("u_texture", 0);
+  gl.ActiveTexture(GL_TEXTURE0);
+  for (const DrawnPart& part : body.parts) {
+    program.set("u_textured", part.texture != 0 ? 1 : 0);
+    gl.BindTexture(GL_TEXTURE_2D, part.texture);
+    body.mesh.draw(part.first, part.count);
+  }
+  program.set("u_textured", 0);
 }
 
 void wet(DrawnBody& body, const hydro::BodyState& state, const hydro::Sea& sea,

@@ -54,6 +54,7 @@ GlFunctions load_gl_functions(FunctionFinder find) {
   load(find, gl.GenRenderbuffers, "glGenRenderbuffers");
   load(find, gl.GenTextures, "glGenTextures");
   load(find, gl.GenVertexArrays, "glGenVertexArrays");
+  load(find, gl.GenerateMipmap, "glGenerateMipmap");
   load(find, gl.GetError, "glGetError");
   load(find, gl.GetProgramInfoLog, "glGetProgramInfoLog");
   load(find, gl.GetProgramiv, "glGetProgramiv");

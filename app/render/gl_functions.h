@@ -50,6 +50,7 @@ struct GlFunctions {
   PFNGLGENRENDERBUFFERSPROC GenRenderbuffers = nullptr;
   PFNGLGENTEXTURESPROC GenTextures = nullptr;
   PFNGLGENVERTEXARRAYSPROC GenVertexArrays = nullptr;
+  PFNGLGENERATEMIPMAPPROC GenerateMipmap = nullptr;
   PFNGLGETERRORPROC GetError = nullptr;
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
   PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;

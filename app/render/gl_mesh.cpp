@@ -1,6 +1,7 @@
 #include "app/render/gl_mesh.h"
 
 #include <cassert>
+#include <cstdint>
 #include <utility>
 
 namespace render {
@@ -49,9 +50,12 @@ void GlMesh::set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& value
   gl_->EnableVertexAttribArray(location);
 }
 
-void GlMesh::draw() const {
+void GlMesh::draw(Eigen::Index first, Eigen::Index count) const {
+  const Eigen::Index corners = kind_ == GL_LINES ? 2 : 3;
+  const auto offset = static_cast<std::uintptr_t>(first * corners) * sizeof(int);
   gl_->BindVertexArray(array_);
-  gl_->DrawElements(kind_, index_count_, GL_UNSIGNED_INT, nullptr);
+  gl_->DrawElements(kind_, static_cast<GLsizei>(count * corners), GL_UNSIGNED_INT,
+                    reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace render

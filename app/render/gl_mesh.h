@@ -24,7 +24,9 @@ class GlMesh {
   /// change between pictures, the number of columns may not.
   void set(GLuint location, const Eigen::Ref<const Eigen::MatrixXf>& values);
 
-  void draw() const;
+  void draw() const { draw(0, index_count_ / (kind_ == GL_LINES ? 2 : 3)); }
+  /// Draws `count` elements, triangles or lines, from `first` on.
+  void draw(Eigen::Index first, Eigen::Index count) const;
 
  private:
   void swap(GlMesh& other) noexcept;
@@ -34,7 +36,7 @@ class GlMesh {
   GLenum kind_ = 0;
   GLsizei index_count_ = 0;
   GLuint indices_ = 0;
-  std::array<GLuint, 6> buffers_ = {};
+  std::array<GLuint, 7> buffers_ = {};
 };
 
 }  // namespace render

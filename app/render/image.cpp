@@ -1,5 +1,7 @@
 #include "app/render/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -61,6 +63,27 @@ Image filled_image(int width, int height, Rgb color) {
   for (int i = 0; i < width * height; ++i)
     image.rgb.insert(image.rgb.end(), {color.r, color.g, color.b});
   return image;
+}
+
+void require_pixels(double width, double height, double most) {
+  if (width * height > most)
+    throw Error(fmt::format("has {:.0f} × {:.0f} pixels, more than {:g} million", width, height,
+                            most / 1e6));
+}
+
+Image halved(const Image& image) {
+  Image half = filled_image((image.width + 1) / 2, (image.height + 1) / 2, {});
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      const int right = std::min(2 * x + 1, image.width - 1);
+      const int below = std::min(2 * y + 1, image.height - 1);
+      const std::uint8_t* const four[] = {image.pixel(2 * x, 2 * y), image.pixel(right, 2 * y),
+                                          image.pixel(2 * x, below), image.pixel(right, below)};
+      for (int c = 0; c < 3; ++c)
+        half.pixel(x, y)[c] =
+            static_cast<std::uint8_t>((four[0][c] + four[1][c] + four[2][c] + four[3][c] + 2) / 4);
+    }
+  return half;
 }
 
 void blend(Image& image, int x, int y, Rgb color, double weight) {

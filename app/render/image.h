@@ -41,6 +41,12 @@ struct Image {
 /// Returns an image of one colour.
 Image filled_image(int width, int height, Rgb color);
 
+/// Refuses an image of more pixels than a limit. @throws Error
+void require_pixels(double width, double height, double most);
+
+/// Returns the image at half its size, rounded up, with the means of 2×2 pixels.
+Image halved(const Image& image);
+
 /// Mixes `color` into a pixel with the given weight, 0 … 1; pixels outside the image are ignored.
 void blend(Image& image, int x, int y, Rgb color, double weight);
 

@@ -4,6 +4,7 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -56,6 +57,25 @@ Image read_png(const std::filesystem::path& file) {
   const png_color white = {255, 255, 255};
   if (!png_image_finish_read(png.get(), &white, image.rgb.data(), 0, nullptr))
     throw Error(fmt::format("{}: cannot read the picture: {}", file.string(), png->message));
+  return image;
+}
+
+Image decode_png(std::string_view bytes, double most_pixels) {
+  SimplifiedImage png;
+  if (!png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()))
+    throw Error(fmt::format("not a sound PNG: {}", png->message));
+  require_pixels(png->width, png->height, most_pixels);
+  Image image = {static_cast<int>(png->width), static_cast<int>(png->height), {}};
+  // libpng would blend transparent pixels with a colour.
+  const bool alpha = (png->format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  png->format = alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  image.rgb.resize(PNG_IMAGE_SIZE(*png.get()));
+  if (!png_image_finish_read(png.get(), nullptr, image.rgb.data(), 0, nullptr))
+    throw Error(fmt::format("not a sound PNG: {}", png->message));
+  if (!alpha) return image;
+  const std::size_t pixels = image.rgb.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&image.rgb[4 * i], 3, &image.rgb[3 * i]);
+  image.rgb.resize(3 * pixels);
   return image;
 }
 

@@ -77,6 +77,7 @@ struct Renderer::Impl {
   PlanView plan_;
   PlanPart plan_part_;
   GLuint scale_texture_;
+  GlTextures textures_{gl_};
   std::vector<DrawnBody> bodies_;
   std::vector<std::optional<InteriorLook>> interiors_;  ///< Per body; none without pockets.
   double bodies_edge_ = 0;                              ///< Longest edge of the bodies' meshes [m].
@@ -138,7 +139,7 @@ void Renderer::Impl::make_surroundings() {
     bodies_edge_ = (bodies_.empty() ? 1 : kFiner) * body_edge;
     bodies_.clear();
     for (const BodyAppearance& look : picture_.bodies)
-      bodies_.push_back(make_body(gl_, look, bodies_edge_, picture_.wireframe));
+      bodies_.push_back(make_body(gl_, textures_, look, bodies_edge_, picture_.wireframe));
   }
   grounds_.clear();
   if (picture_.ground_W) grounds_.push_back(make_ground(gl_, *picture_.ground_W, view_));
@@ -304,9 +305,7 @@ void Renderer::Impl::draw_bodies(const GlProgram& program,
                                  const std::vector<hydro::BodyState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     place(program, states[i]);
-    program.set("u_color", picture_.bodies[i].color);
-    program.set("u_painted", bodies_[i].painted ? 1 : 0);
-    bodies_[i].mesh.draw();
+    draw_look(gl_, program, bodies_[i], picture_.bodies[i].color);
   }
 }
 
