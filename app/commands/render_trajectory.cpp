@@ -54,6 +54,8 @@ int render_trajectory(const RenderOptions& options) {
         return !interrupt.interrupted();
       });
   progress.clear();
+  for (const std::string& warning : report.warnings)
+    say(fmt::format("{}: warning: {}", scene.file.string(), warning));
   if (!options.quiet) say_what_was_drawn(report, shots, folder.path());
   return report.complete ? kDone : kInterrupted;
 }

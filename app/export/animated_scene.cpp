@@ -16,6 +16,7 @@
 #include "app/pictures/rigging.h"
 #include "app/render/paint.h"
 #include "app/render/part_meshes.h"
+#include "app/render/srgb.h"
 #include "app/render/view.h"
 #include "app/report/shapes.h"
 
@@ -32,11 +33,6 @@ constexpr double kLineGray = 0.35;
 constexpr std::array<double, 4> kWater = {0.10, 0.36, 0.50,
                                           0.72};  // RGB as displayed, and opacity.
 constexpr std::array<double, 4> kGround = {0.72, 0.66, 0.54, 1};
-
-/// The part of a displayed colour in light: glTF has linear colours (sRGB's curve).
-double linear(double shown) {
-  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
-}
 
 /// Returns a line as points at even shares of its length.
 Eigen::Matrix3Xd evenly_spaced(const Eigen::Matrix3Xd& points, int count) {
@@ -64,9 +60,14 @@ struct WaterSquare {
 /// Writes one run.
 class SceneWriter {
  public:
-  SceneWriter(const scene::Scene& scene, const assembly::BuiltScene& built, const ShotSpool& shots,
-              const AnimationOptions& options)
-      : scene_(scene), built_(built), spec_(built.spec), shots_(shots), options_(options) {
+  SceneWriter(const scene::Scene& scene, const assembly::BuiltScene& built, const Paints& paints,
+              const ShotSpool& shots, const AnimationOptions& options)
+      : scene_(scene),
+        built_(built),
+        paints_(paints),
+        spec_(built.spec),
+        shots_(shots),
+        options_(options) {
     const bool of_video = shots.of_video() > 0;
     for (std::size_t i = 0; i < shots.size(); ++i) {
       const Shot shot = shots.at(i);
@@ -112,11 +113,12 @@ class SceneWriter {
   std::size_t material(const std::array<double, 4>& color) {
     const auto [found, is_new] = materials_.emplace(color, materials_.size());
     if (!is_new) return found->second;
-    Json material = {
-        {"pbrMetallicRoughness",
-         {{"baseColorFactor", {linear(color[0]), linear(color[1]), linear(color[2]), color[3]}},
-          {"metallicFactor", 0},
-          {"roughnessFactor", color == kWater ? 0.15 : 0.6}}}};
+    Json material = {{"pbrMetallicRoughness",
+                      {{"baseColorFactor",
+                        {render::light_of(color[0]), render::light_of(color[1]),
+                         render::light_of(color[2]), color[3]}},
+                       {"metallicFactor", 0},
+                       {"roughnessFactor", color == kWater ? 0.15 : 0.6}}}};
     if (color[3] < 1) material["alphaMode"] = "BLEND";
     if (color == kWater || color == kGround) material["doubleSided"] = true;
     return glb_.append("materials", std::move(material));
@@ -131,9 +133,9 @@ class SceneWriter {
     Json attributes = {{"POSITION", glb_.add(skin.vertices.cast<float>(), Glb::Use::vertices)},
                        {"NORMAL", glb_.add(skin.normals.cast<float>(), Glb::Use::vertices)}};
     if (colors.size() > 0)
-      attributes["COLOR_0"] =
-          glb_.add(colors.unaryExpr([](float c) { return static_cast<float>(linear(c)); }),
-                   Glb::Use::vertices);
+      attributes["COLOR_0"] = glb_.add(
+          colors.unaryExpr([](float c) { return static_cast<float>(render::light_of(c)); }),
+          Glb::Use::vertices);
     Json primitive = {{"attributes", std::move(attributes)},
                       {"indices", glb_.add(skin.triangles)},
                       {"material", material(colors.size() > 0 ? Vector3d::Ones() : color)}};
@@ -146,7 +148,7 @@ class SceneWriter {
     for (const engine::BodySpec& body : spec_.bodies)
       faces += static_cast<std::size_t>(body.mesh_B.face_count());
     const Shapes shapes = find_shapes(spec_.bodies, static_cast<Eigen::Index>(faces));
-    const auto paints = paints_of(scene_, built_);
+    const auto& paints = paints_.of_bodies;
     std::map<std::pair<std::size_t, std::array<double, 3>>, std::size_t> known;
     std::vector<std::size_t> meshes;
     for (std::size_t i = 0; i < spec_.bodies.size(); ++i) {
@@ -155,7 +157,7 @@ class SceneWriter {
           render::make_shaded_mesh(shapes.shapes[shapes.of_body[i]].mesh_B);
       if (paints[i]) {
         const render::PaintedSkin painted =
-            render::painted_skin(skin, *paints[i], color.cast<float>());
+            render::painted_skin(skin, render::without_textures(*paints[i]), color.cast<float>());
         meshes.push_back(mesh_of(painted.skin, painted.colors, color));
         continue;
       }
@@ -330,6 +332,7 @@ class SceneWriter {
 
   const scene::Scene& scene_;
   const assembly::BuiltScene& built_;
+  const Paints& paints_;
   const engine::SimulationSpec& spec_;
   const ShotSpool& shots_;
   const AnimationOptions& options_;
@@ -346,8 +349,8 @@ class SceneWriter {
 }  // namespace
 
 Glb animated_scene(const scene::Scene& scene, const assembly::BuiltScene& built,
-                   const ShotSpool& shots, const AnimationOptions& options) {
-  return SceneWriter(scene, built, shots, options).write();
+                   const Paints& paints, const ShotSpool& shots, const AnimationOptions& options) {
+  return SceneWriter(scene, built, paints, shots, options).write();
 }
 
 }  // namespace app

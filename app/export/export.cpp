@@ -13,6 +13,7 @@
 #include "app/base/output_error.h"
 #include "app/base/thread_count.h"
 #include "app/pictures/logged_shots.h"
+#include "app/pictures/paints.h"
 #include "app/scene/diagnostics.h"
 
 namespace app {
@@ -26,10 +27,13 @@ int export_run(const ExportOptions& options) {
   assembly::BuiltScene built = assembly::build_without_added_mass(scene);
   built.spec.threads = thread_count(0);
   const ShotSelector selected = logged_shots(options.run, scene, built, options.fps);
+  const Paints paints = read_paints(scene, built);
+  for (const std::string& warning : paints.warnings)
+    say(fmt::format("{}: warning: {}", scene.file.string(), warning));
   std::string bytes;
   std::size_t nodes = 0;
   try {
-    const Glb glb = animated_scene(scene, built, selected.shots(), options.animation);
+    const Glb glb = animated_scene(scene, built, paints, selected.shots(), options.animation);
     nodes = glb.document["nodes"].size();
     bytes = glb.bytes();
   } catch (const std::length_error& error) {

@@ -49,6 +49,7 @@ class Drawing {
         progress_(progress),
         cameras_(cameras_of(look_)),
         scale_(scale_of_all()),
+        paints_(shown_paints(scene, built)),
         renderer_(first_picture(scene), program_files("shaders")),
         notes_(look_, spec_),
         rig_(spec_, look_.show.joints) {
@@ -59,7 +60,7 @@ class Drawing {
 
   PictureReport draw() {
     make_folders();
-    report_ = {.device = renderer_.device(), .complete = true};
+    report_ = {.device = renderer_.device(), .complete = true, .warnings = paints_.warnings};
     if (shown_scale_) report_.pressure_max = scale_.max;
     for (const scene::Camera& camera : cameras_) {
       if (!camera.name.empty()) report_.cameras.push_back(camera.name);
@@ -88,7 +89,7 @@ class Drawing {
   }
 
   render::SceneDescription first_picture(const scene::Scene& scene) const {
-    render::SceneDescription first = picture_of(scene, built_, scale_);
+    render::SceneDescription first = picture_of(scene, built_, scale_, paints_);
     if (shots_.size() > 0) first.camera = camera_at(cameras_.front(), built_, shots_.at(0));
     return first;
   }
@@ -170,6 +171,7 @@ class Drawing {
   const PictureProgress& progress_;
   const std::vector<scene::Camera> cameras_;
   const render::PressureScale scale_;
+  const Paints paints_;
   std::optional<render::PressureScale> shown_scale_;  ///< None if pictures show no pressures.
   render::Renderer renderer_;
   ForceAnnotations notes_;
@@ -181,7 +183,7 @@ class Drawing {
 }  // namespace
 
 render::SceneDescription picture_of(const scene::Scene& scene, const assembly::BuiltScene& built,
-                                    const render::PressureScale& scale) {
+                                    const render::PressureScale& scale, const Paints& paints) {
   const scene::Render& look = *scene.render;
   const engine::SimulationSpec& spec = built.spec;
   render::SceneDescription picture{.width = look.size[0],
@@ -193,13 +195,11 @@ render::SceneDescription picture_of(const scene::Scene& scene, const assembly::B
                                    .pressure_visible = look.pressure_shown,
                                    .bold_waterline = look.show.waterline,
                                    .wireframe = look.show.wireframe};
-  std::vector<std::shared_ptr<const render::Paint>> paints(spec.bodies.size());
-  if (!look.pressure_shown) paints = paints_of(scene, built);
   for (std::size_t i = 0; i < spec.bodies.size(); ++i)
     picture.bodies.push_back(
         {.mesh_B = spec.bodies[i].mesh_B,
          .color = scene.bodies[i].color,
-         .paint = paints[i],
+         .paint = paints.of_bodies[i],
          .coefficients = spec.bodies[i].coefficients,
          .hollows = hollows_of(spec.bodies[i]),
          .up_B = spec.bodies[i].initial.orientation.conjugate() * Eigen::Vector3d::UnitZ()});

@@ -14,6 +14,8 @@
 
 namespace app {
 
+struct Paints;
+
 /// A video that was made.
 struct VideoReport {
   std::filesystem::path file;
@@ -30,6 +32,7 @@ struct PictureReport {
       {};                                 ///< Upper end of the colour scale [Pa], if there is one.
   std::vector<std::string> cameras = {};  ///< Names, if there are several.
   std::vector<VideoReport> videos = {};
+  std::vector<std::string> warnings = {};  ///< Of textures that cannot be read.
 };
 
 /// Files to which pictures are written.
@@ -57,7 +60,8 @@ bool shows_pressures(const scene::Render& look, const engine::SimulationSpec& sp
 std::vector<std::string> videos_made(const PictureReport& report);
 
 /// Returns the render settings of a scene with a render block, without the camera.
+/// @param paints   The colours of mesh files (paints.h).
 render::SceneDescription picture_of(const scene::Scene& scene, const assembly::BuiltScene& built,
-                                    const render::PressureScale& scale);
+                                    const render::PressureScale& scale, const Paints& paints);
 
 }  // namespace app

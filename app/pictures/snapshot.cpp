@@ -6,6 +6,7 @@
 #include "app/pictures/cameras.h"
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/interiors.h"
+#include "app/pictures/paints.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
@@ -24,8 +25,8 @@ scene::Scene with_look(scene::Scene scene) {
 /// Returns the look of pictures without waves of bodies: they follow from a motion, and a snapshot
 /// has one state.
 render::SceneDescription still_look(const scene::Scene& scene, const assembly::BuiltScene& built,
-                                    const render::PressureScale& scale) {
-  render::SceneDescription look = picture_of(scene, built, scale);
+                                    const render::PressureScale& scale, const Paints& paints) {
+  render::SceneDescription look = picture_of(scene, built, scale, paints);
   look.ripple = 0;
   return look;
 }
@@ -38,7 +39,8 @@ struct Snapshots::Impl {
         built(from),
         spec(from.spec),
         expected(expected_pressure(spec, scene.render->shows)),
-        renderer(still_look(scene, built, pressure_scale(*scene.render, expected, range)),
+        paints(shown_paints(scene, built)),
+        renderer(still_look(scene, built, pressure_scale(*scene.render, expected, range), paints),
                  program_files("shaders")),
         rig(spec, scene.render->show.joints) {}
 
@@ -47,6 +49,7 @@ struct Snapshots::Impl {
   const engine::SimulationSpec& spec;
   const PressureRange expected;
   PressureRange range;  ///< Range of the pictures so far.
+  const Paints paints;
   render::Renderer renderer;
   RigPictures rig;
 };
@@ -55,6 +58,8 @@ Snapshots::Snapshots(const scene::Scene& scene, const assembly::BuiltScene& buil
     : impl_(std::make_unique<Impl>(scene, built)) {}
 Snapshots::~Snapshots() = default;
 Snapshots::Snapshots(Snapshots&&) noexcept = default;
+
+const std::vector<std::string>& Snapshots::warnings() const { return impl_->paints.warnings; }
 
 render::Image Snapshots::draw(const engine::Simulation& simulation, const scene::Camera& camera,
                               const std::array<int, 2>& size, bool overlay) {

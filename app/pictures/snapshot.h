@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/assembly/built_scene.h"
 #include "app/scene/scene.h"
@@ -22,6 +24,9 @@ class Snapshots {
   Snapshots(const scene::Scene& scene, const assembly::BuiltScene& built);
   ~Snapshots();
   Snapshots(Snapshots&&) noexcept;
+
+  /// Tells of textures that cannot be read.
+  const std::vector<std::string>& warnings() const;
 
   /// @param size   [px]
   /// @param overlay   False: without text, scales and legends. @throws render::Error if the device

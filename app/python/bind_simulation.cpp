@@ -192,12 +192,18 @@ class PySimulation {
     if (pixels[0] < 1 || pixels[1] < 1)
       throw py::value_error("size: expected a width and a height of at least one pixel");
     render::Image image;
+    std::vector<std::string> warnings;
     {
       const auto lock = wait();
       const Unlocked unlocked;
-      if (!snapshots_) snapshots_.emplace(source_->scene(), source_->built(1));
+      if (!snapshots_) {
+        snapshots_.emplace(source_->scene(), source_->built(1));
+        warnings = snapshots_->warnings();
+      }
       image = snapshots_->draw(engine(), view, pixels, overlay && look.overlay);
     }
+    for (const std::string& warning : warnings)
+      if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) < 0) throw py::error_already_set();
     return py::array_t<std::uint8_t>({image.height, image.width, 3}, image.rgb.data());
   }
 

@@ -281,6 +281,8 @@ class Run {
       const int own = failed(kWrongInput, error.what());
       return code == kDone ? own : code;
     }
+    summary_.warnings.insert(summary_.warnings.end(), summary_.pictures->warnings.begin(),
+                             summary_.pictures->warnings.end());
     summary_.wall_render = clock.seconds();
     return code == kDone && !summary_.pictures->complete ? interrupted() : code;
   }

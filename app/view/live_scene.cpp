@@ -5,10 +5,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/base/console.h"
 #include "app/base/program_files.h"
 #include "app/pictures/bodies_waves.h"
 #include "app/pictures/expected_pressure.h"
 #include "app/pictures/interiors.h"
+#include "app/pictures/paints.h"
 #include "app/pictures/pictures.h"
 #include "app/render/overlay.h"
 
@@ -80,7 +82,9 @@ void LiveScene::make_ready(const Shot& now, const render::Camera& camera, int wi
   notes_.include(now);
   rig_.include(now);
   if (!renderer_) {
-    render::SceneDescription look = picture_of(scene_, built_, scale_);
+    const Paints paints = shown_paints(scene_, built_);
+    for (const std::string& warning : paints.warnings) say("warning: " + warning);
+    render::SceneDescription look = picture_of(scene_, built_, scale_, paints);
     look.width = width;
     look.height = height;
     look.camera = camera;

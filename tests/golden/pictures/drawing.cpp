@@ -13,6 +13,7 @@
 #include "app/pictures/bodies_waves.h"
 #include "app/pictures/cameras.h"
 #include "app/pictures/expected_pressure.h"
+#include "app/pictures/paints.h"
 #include "app/pictures/pictures.h"
 #include "app/pictures/pressure_range.h"
 #include "app/pictures/rigging.h"
@@ -75,7 +76,8 @@ render::Image draw(const KeptPicture& picture) {
   render::SceneDescription bare =
       app::picture_of(scene, built,
                       app::pressure_scale(look, app::expected_pressure(built.spec, look.shows),
-                                          app::pressure_range(built.spec, shot, look.shows)));
+                                          app::pressure_range(built.spec, shot, look.shows)),
+                      app::shown_paints(scene, built));
   bare.camera = app::camera_at(app::cameras_of(look).front(), built, shot);
   app::RigPictures rig(built.spec, look.show.joints);
   rig.include(shot);
