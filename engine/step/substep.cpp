@@ -208,14 +208,15 @@ AddedMassMatch match_added_mass(Island& island, double time, bool last_pass) {
 }
 
 /// Lets water run between the pockets of a body and the sea. Under a height field it may come from
-/// above the still water level, and a pump lifts it: then it brings energy.
+/// above the still water level, a pump lifts it, and trapped air pushes it out: this brings energy.
 void let_water_in(SubstepBody& b, double time, double h) {
   const std::shared_ptr<const CarriedWater> carried = b.end.carried_water;
   const std::vector<double> rates = pump_rates(*b.moving, time - h / 2);
   let_water_run(b.body(), b.moving->motion.state, time, h, rates, b.end);
   b.inflow_work = 0;
   const Environment& environment = b.body().environment;
-  const bool judged = (environment.uneven() || pumping(rates)) && must_not_gain_energy(b.body());
+  const bool driven = environment.uneven() || pumping(rates) || b.body().spec->air;
+  const bool judged = driven && must_not_gain_energy(b.body());
   if (!judged || b.end.carried_water == carried) return;
   Motion before = b.end;
   before.carried_water = carried;
