@@ -1,5 +1,3 @@
-#include "hydro/lines/lumped_step.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "hydro/lines/catenary.h"
+#include "hydro/lines/lumped_step.h"
 #include "tests/support/random_pose.h"
 #include "tests/support/tolerance.h"
 
@@ -30,7 +29,7 @@ LineEnds ends_at(const Vector3d& first, const Vector3d& second) {
 
 /// A step with ends that are where they are to be.
 void take_step(const LumpedLine& line, double length, const LineEnds& ends, const hydro::Sea* sea,
-          double time, double h, LumpedState& state) {
+               double time, double h, LumpedState& state) {
   hydro::LumpedStep step;
   step.begin(line, length, ends, sea, time, h, state);
   step.end(ends, state);
