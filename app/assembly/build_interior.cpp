@@ -54,29 +54,43 @@ std::optional<double> volume_in(const hydro::Interior& interior, int pocket,
   return std::nullopt;
 }
 
-void add_opening(const scene::Opening& opening, const hydro::Interior* interior,
+bool is_void(const hydro::Interior* interior, int space) {
+  return space != hydro::kSea &&
+         interior->division.pockets[static_cast<std::size_t>(space)].is_void();
+}
+
+/// @return true if it leads into a void
+bool add_opening(const scene::Opening& opening, const hydro::Interior* interior,
                  const Eigen::Vector3d& com_M, const std::string& path, engine::BodySpec& spec,
                  BuildLog& log) {
   const Eigen::Vector3d at_B = opening.at - com_M;
   const hydro::WallFaces wall = hydro::wall_at(spec.mesh_B, at_B);
   const double size = hydro::bounding_box(spec.mesh_B).sizes().maxCoeff();
-  if (!(wall.distance <= kFarFromWall * size))
-    return log.faults.add(log.scene.places, path + ".at",
-                          fmt::format("is {:.3g} m from the far side of the nearest wall, expected "
-                                      "a point in or near a wall",
-                                      wall.distance));
+  if (!(wall.distance <= kFarFromWall * size)) {
+    log.faults.add(
+        log.scene.places, path + ".at",
+        fmt::format("is {:.3g} m from the far side of the nearest wall, expected a point "
+                    "in or near a wall",
+                    wall.distance));
+    return false;
+  }
   const auto space = [&](int face) {
     return interior ? interior->division.pocket_of_face[face] : hydro::kSea;
   };
-  if (space(wall.face[0]) == space(wall.face[1]))
-    return log.faults.add(log.scene.places, path + ".at",
-                          "has the same water on both sides of the wall there, expected a wall of "
-                          "a hollow");
+  const int first = space(wall.face[0]), second = space(wall.face[1]);
+  if (first == second) {
+    log.faults.add(log.scene.places, path + ".at",
+                   "has the same water on both sides of the wall there, expected a wall of a "
+                   "hollow");
+    return false;
+  }
   spec.openings.push_back({.at_B = at_B, .area = opening.area, .discharge = opening.discharge});
+  return is_void(interior, first) || is_void(interior, second);
 }
 
 /// @param interior   At the start; null: the body has no pocket.
-void add_pump(const scene::Pump& pump, const hydro::Interior* interior,
+/// @return true if it brings water into a void
+bool add_pump(const scene::Pump& pump, const hydro::Interior* interior,
               const Eigen::Vector3d& com_M, const std::string& path, engine::BodySpec& spec,
               BuildLog& log) {
   engine::PumpSpec made{.from_B = pump.from - com_M};
@@ -97,27 +111,7 @@ void add_pump(const scene::Pump& pump, const hydro::Interior* interior,
                        ? "is in no hollow at the start, and the pump brings water into the sea"
                        : "is in the hollow that the pump brings water into");
   spec.pumps.push_back(made);
-}
-
-/// True if an opening or a pump leads into a hollow without a mouth.
-bool takes_water_in_a_void(const engine::BodySpec& spec, const hydro::Interior* interior) {
-  if (!interior) return false;
-  const hydro::Pockets& division = interior->division;
-  const auto is_void = [&](int pocket) {
-    return pocket != hydro::kSea &&
-           !std::isfinite(division.pockets[static_cast<std::size_t>(pocket)].spill);
-  };
-  const auto opens = [&](const engine::Opening& opening) {
-    const hydro::WallFaces wall = hydro::wall_at(spec.mesh_B, opening.at_B);
-    return std::ranges::any_of(wall.face, [&](int face) {
-      return face >= 0 && is_void(division.pocket_of_face[static_cast<std::size_t>(face)]);
-    });
-  };
-  const auto fills = [&](const engine::PumpSpec& pump) {
-    return pump.to_B && is_void(hydro::pocket_under(spec.mesh_B, division, *pump.to_B,
-                                                    orientation_of(spec).row(2)));
-  };
-  return std::ranges::any_of(spec.openings, opens) || std::ranges::any_of(spec.pumps, fills);
+  return is_void(interior, to);
 }
 
 }  // namespace
@@ -152,13 +146,14 @@ void fill_interior(const scene::Body& body, const Eigen::Vector3d& com_M,
     if (const auto volume = volume_in(*interior, pocket, water, com_M, spec, path, log))
       spec.interior_water.push_back({.at_B = at_B, .volume = *volume});
   }
+  bool fills_void = false;
   for (std::size_t i = 0; i < body.openings.size(); ++i)
-    add_opening(body.openings[i], interior.get(), com_M,
-                fmt::format("{}.openings[{}]", key_path, i), spec, log);
+    fills_void |= add_opening(body.openings[i], interior.get(), com_M,
+                              fmt::format("{}.openings[{}]", key_path, i), spec, log);
   for (std::size_t i = 0; i < body.pumps.size(); ++i)
-    add_pump(body.pumps[i], interior.get(), com_M, fmt::format("{}.pumps[{}]", key_path, i), spec,
-             log);
-  if (body.air && !takes_water_in_a_void(spec, interior.get()))
+    fills_void |= add_pump(body.pumps[i], interior.get(), com_M,
+                           fmt::format("{}.pumps[{}]", key_path, i), spec, log);
+  if (body.air && !fills_void)
     log.faults.add(log.scene.places, key_path + ".air",
                    "traps no air: the body has no hollow without a mouth into which an opening or "
                    "a pump leads");

@@ -111,11 +111,11 @@ std::vector<Told> told_clamps(const engine::SimulationSpec& spec, const RunError
                       .text = fmt::format("by {:.2g} % of the work on it", 100 * share)});
   if (!errors.works.empty()) return by_share(std::move(told));
   for (std::size_t i = 0; i < errors.counts.size(); ++i)
-    if (const auto& [clamped, all] = std::pair(errors.counts[i].clamped, errors.counts[i].substeps);
-        clamped > 0)
-      told.push_back({.share = static_cast<double>(clamped) / static_cast<double>(all),
-                      .whose = spec.bodies[i].name,
-                      .text = fmt::format("in {} of its {} substeps", clamped, all)});
+    if (const engine::Counts& counts = errors.counts[i]; counts.clamped > 0)
+      told.push_back(
+          {.share = static_cast<double>(counts.clamped) / static_cast<double>(counts.substeps),
+           .whose = spec.bodies[i].name,
+           .text = fmt::format("in {} of its {} substeps", counts.clamped, counts.substeps)});
   return by_share(std::move(told));
 }
 

@@ -23,7 +23,7 @@ Spaces::Spaces(const Body& body, const hydro::BodyState& state, double time, Car
       water_(carried) {}
 
 bool Spaces::is_void(int space) const {
-  return space != kSea && !std::isfinite(division_.pockets[static_cast<std::size_t>(space)].spill);
+  return space != kSea && division_.pockets[static_cast<std::size_t>(space)].is_void();
 }
 
 Eigen::Vector3d Spaces::vertex(int i) const { return R_WB_ * body_.spec->mesh_B.vertices.col(i); }
@@ -81,17 +81,16 @@ double Spaces::equalising(int from, int to, const Stream& stream) const {
   return std::min(lacking, spare);
 }
 
-/// The same where air is trapped in one of them, linear about the state at hand: a volume adds
-/// itself over the area to a level above the opening, and over V² (E42) to the head of air. No more
-/// comes than there is room for, nor leaves than stands above the opening.
-double Spaces::equalising_air(int from, int to, const Stream& stream) const {
-  double rise = 0, most = HUGE_VAL;  // Head that comes with a volume [1/m^2].
+/// The same where water meets trapped air in one of them, linear about the state at hand: a volume
+/// adds itself over the area to a level above the opening, and times the stiffness of the air to
+/// its head. No more comes than there is room for, nor leaves than stands above the opening.
+double Spaces::equalising_air(int from, int to, double stiffness, const Stream& stream) const {
+  double rise = stiffness, most = HUGE_VAL;  // Head that comes with a volume [1/m^2].
   for (const int space : {from, to}) {
     if (is_sea(space)) continue;
     const PocketContent& content = water_.pockets[space];
     if (content.volume > 0 && content.surface.level > stream.lowest)
       rise += 1 / content.surface.area;
-    if (resists(*this, space)) rise += air_stiffness(*this, space);
     if (space == from)
       most = std::min(most, content.volume - volume_up_to(from, stream.lowest));
     else if (is_void(to))
@@ -102,8 +101,9 @@ double Spaces::equalising_air(int from, int to, const Stream& stream) const {
 
 void Spaces::exchange(int first, int second, const Stream& stream, double h) {
   const int from = stream.rate > 0 ? second : first, to = stream.rate > 0 ? first : second;
-  const bool air = resists(*this, from) || resists(*this, to);
-  const double whole = air ? equalising_air(from, to, stream) : equalising(from, to, stream);
+  const double stiffness = air_stiffness(*this, from) + air_stiffness(*this, to);
+  const double whole =
+      stiffness > 0 ? equalising_air(from, to, stiffness, stream) : equalising(from, to, stream);
   const double volume = limited_flow(std::abs(stream.rate) * h, whole);
   if (volume > 0) bring(from, to, volume);
 }

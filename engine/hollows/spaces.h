@@ -64,7 +64,7 @@ class Spaces {
     return water_.interior->pockets[static_cast<std::size_t>(pocket)];
   }
   double equalising(int from, int to, const Stream& stream) const;
-  double equalising_air(int from, int to, const Stream& stream) const;
+  double equalising_air(int from, int to, double stiffness, const Stream& stream) const;
 
   const Body& body_;
   const hydro::Sea& sea_;

@@ -34,14 +34,8 @@ void pass_air(Spaces& spaces, int first, int second, const Eigen::Vector3d& r) {
   if (traps_air(spaces, to)) spaces.water().pockets[to].air += passed;
 }
 
-}  // namespace
-
-bool traps_air(const Spaces& spaces, int space) {
-  return spaces.body().spec->air && spaces.is_void(space) && spaces.sea().gravity > 0;
-}
-
-bool resists(const Spaces& spaces, int space) {
-  if (!traps_air(spaces, space)) return false;
+/// True if an opening lets the air of a void out to the atmosphere.
+bool is_vented(const Spaces& spaces, int space) {
   const std::vector<std::array<int, 2>>& sides = spaces.water().openings;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto [first, second] = sides[i];
@@ -49,9 +43,15 @@ bool resists(const Spaces& spaces, int space) {
     const int other = first == space ? second : first;
     const Eigen::Vector3d r = place_of(spaces, i);
     const bool in_air = std::max(spaces.level(space, r), spaces.level(other, r)) <= r.z();
-    if (in_air && !traps_air(spaces, other)) return false;
+    if (in_air && !traps_air(spaces, other)) return true;
   }
-  return true;
+  return false;
+}
+
+}  // namespace
+
+bool traps_air(const Spaces& spaces, int space) {
+  return spaces.body().spec->air && spaces.is_void(space) && spaces.sea().gravity > 0;
 }
 
 double air_head(const Spaces& spaces, int pocket) {
@@ -60,9 +60,10 @@ double air_head(const Spaces& spaces, int pocket) {
   return (pressure - kAtmosphere) / weight_density(spaces);
 }
 
-double air_stiffness(const Spaces& spaces, int pocket) {
-  const double volume = air_volume(spaces, pocket);
-  return spaces.water().pockets[pocket].air / (volume * volume * weight_density(spaces));
+double air_stiffness(const Spaces& spaces, int space) {
+  if (!traps_air(spaces, space) || is_vented(spaces, space)) return 0;
+  const double volume = air_volume(spaces, space);
+  return spaces.water().pockets[space].air / (volume * volume * weight_density(spaces));
 }
 
 void pass_air(Spaces& spaces) {

@@ -21,14 +21,12 @@ namespace engine {
 /// True if the space is a void of a body that traps its air.
 bool traps_air(const Spaces& spaces, int space);
 
-/// True if water that comes in meets the air: no opening leads from it to the atmosphere.
-bool resists(const Spaces& spaces, int space);
-
 /// H of a pocket [m]; 0 where no air is trapped.
 double air_head(const Spaces& spaces, int pocket);
 
-/// −dH/dV of a void that traps air [1/m^2].
-double air_stiffness(const Spaces& spaces, int pocket);
+/// −dH/dV of the air that water meets in a space [1/m^2]; 0 where none is trapped, or where an
+/// opening lets it out to the atmosphere.
+double air_stiffness(const Spaces& spaces, int space);
 
 /// Lets air pass through all openings of the body.
 void pass_air(Spaces& spaces);

@@ -93,7 +93,7 @@ bool CarriedWater::holds() const {
 }
 
 double air_at_rest(const Body& body, const hydro::Pocket& pocket, double water) {
-  if (!body.spec->air || std::isfinite(pocket.spill)) return 0;
+  if (!body.spec->air || !pocket.is_void()) return 0;
   return kAtmosphere * std::max(0.0, pocket.capacity - water);
 }
 

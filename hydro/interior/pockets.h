@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "hydro/mesh/mesh.h"
@@ -36,6 +37,9 @@ struct Pocket {
   double floor = 0;        ///< Height of that vertex.
   double spill = 0;        ///< Height above which it overflows; infinite for a void.
   double capacity = 0;     ///< Volume below the spill height; of a void, its whole volume [m^3].
+
+  /// True for a pocket without sills, in any attitude.
+  bool is_void() const { return !std::isfinite(spill); }
 };
 
 /// An edge between two pockets, or a pocket and the sea, over which water passes.

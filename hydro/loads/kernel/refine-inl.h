@@ -295,6 +295,16 @@ HWY_INLINE Halving halving_of(const Triangle& t, const Values& depth, const Spli
           value(splits.ab, splits.bc, splits.ca)};
 }
 
+/// Puts the halves of pieces among others.
+template <class Work>
+HWY_INLINE void put_halves(Work& work, const Plane& p, VI face, const Halving& h, M which,
+                           TriangleQueue& to) {
+  const V2 middle = between(h.t.a, h.t.b, h.part);
+  const V at_middle = depth_at(work.in, work.sea, point_on(p, middle));
+  put_pieces(which, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, to);
+  put_pieces(which, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, to);
+}
+
 /// Splits the pieces from `from` on that the surface or the current bends over and puts the halves
 /// back among them; the others go to those that are refined. Pieces beyond the surface are
 /// dropped, and pieces of less than smallest² of area stay whole.
@@ -318,12 +328,7 @@ HWY_NOINLINE void refine_pieces(Work& work, TriangleQueue& bending, int from, in
   const Halving h = halving_of(t, depth, splits_at(to, t, bends));
   const M splits = hn::And(counts, hn::And(large, h.splits));
   put_pieces(hn::AndNot(splits, counts), face, t, depth, work.refined());
-  if (!hn::AllFalse(d, splits)) {
-    const V2 middle = between(h.t.a, h.t.b, h.part);
-    const V at_middle = depth_at(in, work.sea, point_on(p, middle));
-    put_pieces(splits, face, {h.t.a, middle, h.t.c}, {h.depth.a, at_middle, h.depth.c}, bending);
-    put_pieces(splits, face, {middle, h.t.b, h.t.c}, {at_middle, h.depth.b, h.depth.c}, bending);
-  }
+  if (!hn::AllFalse(d, splits)) put_halves(work, p, face, h, splits, bending);
   if (work.refined().count > TriangleQueue::kRoom / 2) drain_cut(work, false);
 }
 

@@ -17,15 +17,4 @@ void pad(TriangleQueue& pieces, int lanes) {
   }
 }
 
-void put_piece(const TriangleQueue& from, int piece, TriangleQueue& pieces) {
-  assert(pieces.count < TriangleQueue::kRoom);
-  const int to = pieces.count++;
-  pieces.face[to] = from.face[piece];
-  for (int i = 0; i < 3; ++i) {
-    pieces.x[i][to] = from.x[i][piece];
-    pieces.y[i][to] = from.y[i][piece];
-    pieces.depth[i][to] = from.depth[i][piece];
-  }
-}
-
 }  // namespace hydro::kernel

@@ -50,7 +50,4 @@ inline void put_face(const Panels& panels, std::int64_t leaf, int lane,
   for (int i = 0; i < 3; ++i) pieces.depth[i][to] = depth[static_cast<std::size_t>(i)];
 }
 
-/// Adds a piece of another queue.
-void put_piece(const TriangleQueue& from, int piece, TriangleQueue& pieces);
-
 }  // namespace hydro::kernel

@@ -77,60 +77,20 @@ class TableWalk {
   int end_ = 0;
 };
 
-/// The box around a piece of a face, as that of a branch.
-inline Node box_of(const Panels& panels, const TriangleQueue& pieces, int piece) {
-  const std::int64_t place = pieces.face[piece];
-  const Face face = face_of(panels.leaves[static_cast<std::size_t>(place / kLeafFaces)],
-                            static_cast<int>(place % kLeafFaces));
+/// The box around the first of some triangles in lanes, as that of a branch.
+inline Node box_of_first(const Plane& p, const Triangle& t) {
+  const V3 a = point_on(p, t.a), b = point_on(p, t.b), c = point_on(p, t.c);
   Node box;
-  for (int a = 0; a < 3; ++a) {
-    const auto at = [&](int corner) {
-      return face.c[a] + pieces.x[corner][piece] * face.e1[a] +
-             pieces.y[corner][piece] * face.e2[a];
-    };
-    const auto [low, high] = std::minmax({at(0), at(1), at(2)});
-    box.centre[a] = 0.5 * (low + high);
-    box.half[a] = 0.5 * (high - low);
-  }
-  return box;
-}
-
-/// Halves a piece across its longest edge, and puts the halves in its place and behind it.
-template <class Work>
-HWY_NOINLINE void halve(Work& work, TriangleQueue& pieces, int piece) {
-  int longest = 0;
-  double most = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const double squared = std::pow(pieces.x[j][piece] - pieces.x[i][piece], 2) +
-                           std::pow(pieces.y[j][piece] - pieces.y[i][piece], 2);
-    if (squared <= most) continue;
-    longest = i;
-    most = squared;
-  }
-  const int from = longest, to = (longest + 1) % 3;
-  const double x = 0.5 * (pieces.x[from][piece] + pieces.x[to][piece]);
-  const double y = 0.5 * (pieces.y[from][piece] + pieces.y[to][piece]);
-  pad(pieces, piece + static_cast<int>(hn::Lanes(D())));
-  const Plane plane = plane_of(work.panels, pieces, piece);
-  const double depth = hn::GetLane(depth_at(work.in, work.sea, point_on(plane, {all(x), all(y)})));
-  put_piece(pieces, piece, pieces);
-  const int last = pieces.count - 1;
-  const auto set = [&](int which, int corner) {
-    pieces.x[corner][which] = x;
-    pieces.y[corner][which] = y;
-    pieces.depth[corner][which] = depth;
+  const auto set = [&box](int axis, V x, V y, V z) HWY_ATTR {
+    const double low = hn::GetLane(hn::Min(x, hn::Min(y, z)));
+    const double high = hn::GetLane(hn::Max(x, hn::Max(y, z)));
+    box.centre[axis] = 0.5 * (low + high);
+    box.half[axis] = 0.5 * (high - low);
   };
-  set(piece, to);
-  set(last, from);
-}
-
-/// True if a box lies above the highest crest, or, where what is above the surface is summed,
-/// below the lowest trough.
-inline bool beyond_the_surface(const LoadInputs& in, const Node& box) {
-  const double level = in.below + in.surface->hidden_depth;
-  const double z = centre_along(box, in.up), dz = reach_along(box, in.up);
-  return in.above ? z + dz <= level + in.surface->lowest : z - dz >= level + in.surface->highest;
+  set(0, a.x, b.x, c.x);
+  set(1, a.y, b.y, c.y);
+  set(2, a.z, b.z, c.z);
+  return box;
 }
 
 /// Works on the faces of a leaf that wait. Where its branch is too large for a table and the
@@ -144,17 +104,25 @@ HWY_NOINLINE void drain_leaf(Work& work) {
   TriangleQueue pieces = work.bending;
   work.bending.count = 0;
   drain(work, true);
+  const M first = hn::FirstN(D(), 1);
   while (pieces.count > 0) {
     const int last = pieces.count - 1;
-    const Node box = box_of(work.panels, pieces, last);
-    const bool counts = !beyond_the_surface(work.in, box);
-    const bool fits = counts && plan_table<kAsk>(box, work.in, sea.wide);
-    if (counts && !fits && pieces.count + kMostLanes < TriangleQueue::kRoom) {
-      halve(work, pieces, last);
+    pad(pieces, last + static_cast<int>(hn::Lanes(D())));
+    pieces.count = last;
+    const Plane p = plane_of(work.panels, pieces, last);
+    const Triangle t = triangle_of(pieces, last);
+    const Values depth = load_values(pieces.depth, last);
+    const VI face = hn::LoadU(DI(), pieces.face + last);
+    if (!hn::AllFalse(D(), hn::And(first, beyond_the_surface(bearings_of(work.in, p), t))))
+      continue;
+    const Node box = box_of_first(p, t);
+    const bool fits = plan_table<kAsk>(box, work.in, sea.wide);
+    if (!fits && pieces.count + 2 * kMostLanes < TriangleQueue::kRoom) {
+      const V half = all(0.5);
+      put_halves(work, p, face, halving_of(t, depth, {half, half, half}), first, pieces);
       continue;
     }
-    if (counts) put_piece(pieces, last, work.bending);
-    --pieces.count;
+    put_pieces(first, face, t, depth, work.bending);
     if (fits) {
       set_table<kAsk>(box, work.in, sea.wide);
       sea.table = &sea.wide;
