@@ -59,10 +59,11 @@ FreeRest found_rest(const RadiatingHull& hull, const Quaterniond& start, double 
       tank.hull =
           hydro::make_hull(hydro::translated(tank.hull.mesh_B, -hull.com_B), tank.hull.boundary);
   }
-  const hydro::Flotation held = hydro::afloat(mesh, volume, start, tanks);
-  hydro::Flotation rest = hydro::equilibrium(mesh, volume, start, tanks);
+  const hydro::ImmersedMesh immersed(mesh);
+  const hydro::Flotation held = hydro::afloat(immersed, volume, start, tanks);
+  hydro::Flotation rest = hydro::equilibrium(immersed, volume, start, tanks);
   const double sinks = rest.effective_centre().z() - held.effective_centre().z();
-  const bool neutral = sinks < kNeutral * radius_of(mesh);
+  const bool neutral = sinks < kNeutral * immersed.radius();
   if (neutral && tilt_between(start, rest.orientation) > kNeutralTilt) rest = held;
   return {hull.lead, rest.orientation, rest.height - (rest.orientation * hull.com_B).z()};
 }

@@ -211,11 +211,24 @@ std::vector<FloatingBody> bodies_of_scene(const HydrostaticsOptions& o) {
   return bodies;
 }
 
-FloatingState state_of(const FloatingBody& body, const Eigen::Quaterniond& orientation) {
-  FloatingState state{hydro::afloat(body.mesh_B, body.displaced(),
-                                    hydro::with_heading(orientation, 0), body.tanks)};
-  state.stability = hydro::stability(body.mesh_B, state.flotation);
+FloatingState state_of(const FloatingBody& body, const hydro::ImmersedMesh& mesh,
+                       const Eigen::Quaterniond& orientation) {
+  FloatingState state{
+      hydro::afloat(mesh, body.displaced(), hydro::with_heading(orientation, 0), body.tanks)};
+  state.stability = hydro::stability(mesh, state.flotation);
   return state;
+}
+
+/// The turn into the axes from which a body's heel counts; none if it has them.
+std::optional<Eigen::Isometry3d> turn_upright(const FloatingBody& body) {
+  const Eigen::RowVector3d up_B = body.start.toRotationMatrix().row(2);
+  Eigen::Index axis = 2;
+  up_B.cwiseAbs().maxCoeff(&axis);
+  if (axis == 2 && up_B[2] > 0) return std::nullopt;
+  const Eigen::Vector3d nearest = std::copysign(1.0, up_B[axis]) * Eigen::Vector3d::Unit(axis);
+  const Eigen::Vector3d leaning = body.start * nearest;
+  const Eigen::Quaterniond to_vertical = hydro::shortest_turn(leaning, Eigen::Vector3d::UnitZ());
+  return Eigen::Isometry3d(hydro::with_heading(to_vertical * body.start, 0));
 }
 
 }  // namespace
@@ -225,21 +238,15 @@ void refuse_if(bool given, const std::string& option, const std::string& message
 }
 
 FloatingBody in_upright_axes(const FloatingBody& body) {
-  const Eigen::RowVector3d up_B = body.start.toRotationMatrix().row(2);
-  Eigen::Index axis = 2;
-  up_B.cwiseAbs().maxCoeff(&axis);
-  if (axis == 2 && up_B[2] > 0) return body;
-  const Eigen::Vector3d nearest = std::copysign(1.0, up_B[axis]) * Eigen::Vector3d::Unit(axis);
-  const Eigen::Vector3d leaning = body.start * nearest;
-  const Eigen::Quaterniond to_vertical = hydro::shortest_turn(leaning, Eigen::Vector3d::UnitZ());
-  const Eigen::Isometry3d X(hydro::with_heading(to_vertical * body.start, 0));
+  const auto turn = turn_upright(body);
+  if (!turn) return body;
   FloatingBody turned = body;
-  turned.mesh_B = hydro::transformed(body.mesh_B, X);
-  turned.com_M = X * body.com_M;
+  turned.mesh_B = hydro::transformed(body.mesh_B, *turn);
+  turned.com_M = *turn * body.com_M;
   for (hydro::Tank& tank : turned.tanks)
     tank.hull =
-        hydro::make_hull(hydro::transformed(tank.hull.mesh_B, X), hydro::Hull::Boundary::open);
-  for (Eigen::Vector3d& point : turned.flooding_points_B) point = X * point;
+        hydro::make_hull(hydro::transformed(tank.hull.mesh_B, *turn), hydro::Hull::Boundary::open);
+  for (Eigen::Vector3d& point : turned.flooding_points_B) point = *turn * point;
   return turned;
 }
 
@@ -261,17 +268,19 @@ FloatingReport floating_report(const FloatingBody& body, const std::vector<doubl
   report.not_afloat = assembly::why_not_afloat({body.mass, body.density * body.water_inside()},
                                                report.volume, body.density);
   if (!report.not_afloat.empty()) return report;
-  const hydro::Flotation rest =
-      hydro::equilibrium(body.mesh_B, body.displaced(), body.start, body.tanks);
-  report.start = state_of(body, body.start);
-  report.rest = state_of(body, rest.orientation);
+  const auto mesh = std::make_shared<const hydro::ImmersedMesh>(body.mesh_B);
+  const hydro::Flotation rest = hydro::equilibrium(*mesh, body.displaced(), body.start, body.tanks);
+  report.start = state_of(body, *mesh, body.start);
+  report.rest = state_of(body, *mesh, rest.orientation);
   report.orientation = hydro::with_heading(rest.orientation, hydro::euler_angles(body.start)[2]);
   if (body.natural_periods)
     report.natural_periods = body.natural_periods(
         {.orientation = hydro::with_heading(rest.orientation, 0), .height = rest.height});
   const FloatingBody& heeled = report.upright;
+  report.upright_mesh =
+      turn_upright(body) ? std::make_shared<const hydro::ImmersedMesh>(heeled.mesh_B) : mesh;
   report.righting_arms =
-      hydro::righting_arms(heeled.mesh_B, heeled.displaced(), heels, heeled.tanks);
+      hydro::righting_arms(*report.upright_mesh, heeled.displaced(), heels, heeled.tanks);
   report.intact = hydro::intact_stability(
       report.intact_body(), report.rest.flotation.effective_metacentric_heights()(0, 0));
   return report;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,7 +77,8 @@ struct FloatingState {
 
 struct FloatingReport {
   FloatingBody body;
-  FloatingBody upright;    ///< The body in the axes from which its heel counts.
+  FloatingBody upright;  ///< The body in the axes from which its heel counts.
+  std::shared_ptr<const hydro::ImmersedMesh> upright_mesh;
   double volume = 0;       ///< Volume of the whole body [m^3].
   std::string not_afloat;  ///< Reason why it does not float; nothing below is then set.
   FloatingState start;     ///< State at the given attitude.
@@ -87,7 +89,7 @@ struct FloatingReport {
   hydro::IntactStability intact;
 
   hydro::IntactBody intact_body() const {
-    return {.mesh_B = upright.mesh_B,
+    return {.mesh = *upright_mesh,
             .volume = upright.displaced(),
             .tanks = upright.tanks,
             .flooding_points_B = upright.flooding_points_B};

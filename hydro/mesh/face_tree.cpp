@@ -34,20 +34,6 @@ std::uint64_t curve_place(const Eigen::Vector3d& p, const Eigen::AlignedBox3d& b
   return place;
 }
 
-std::vector<int> curve_order(const TriMesh& mesh) {
-  const Eigen::AlignedBox3d box = bounding_box(mesh);
-  const double extent = std::max(box.sizes().maxCoeff(), 1e-300);
-  std::vector<std::pair<std::uint64_t, int>> places;
-  places.reserve(static_cast<std::size_t>(mesh.face_count()));
-  for (int f = 0; f < mesh.face_count(); ++f)
-    places.emplace_back(curve_place(face_box(mesh, f).center(), box, extent / 65535), f);
-  std::sort(places.begin(), places.end());
-  std::vector<int> order;
-  order.reserve(places.size());
-  for (const auto& [place, face] : places) order.push_back(face);
-  return order;
-}
-
 /// True if the ray, its parameter >= 0, meets the box.
 bool meets(const Eigen::AlignedBox3d& box, const Eigen::Array3d& start,
            const Eigen::Array3d& inverse_direction) {
@@ -99,7 +85,21 @@ double squared_distance(const Eigen::Vector3d& point, const Eigen::Matrix3d& cor
 
 }  // namespace
 
-FaceTree::FaceTree(const TriMesh& mesh) : mesh_(mesh), order_(curve_order(mesh)) {
+std::vector<int> faces_along_curve(const TriMesh& mesh) {
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  const double extent = std::max(box.sizes().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint64_t, int>> places;
+  places.reserve(static_cast<std::size_t>(mesh.face_count()));
+  for (int f = 0; f < mesh.face_count(); ++f)
+    places.emplace_back(curve_place(face_box(mesh, f).center(), box, extent / 65535), f);
+  std::sort(places.begin(), places.end());
+  std::vector<int> order;
+  order.reserve(places.size());
+  for (const auto& [place, face] : places) order.push_back(face);
+  return order;
+}
+
+FaceTree::FaceTree(const TriMesh& mesh) : mesh_(mesh), order_(faces_along_curve(mesh)) {
   boxes_.reserve(order_.size());
   for (const int face : order_) boxes_.push_back(face_box(mesh, face));
   nodes_.reserve(order_.size());

@@ -11,6 +11,10 @@
 
 namespace hydro {
 
+/// Returns the faces in the order of a space-filling curve through the centres of their boxes: runs
+/// of them are near each other. The vertices must be finite.
+std::vector<int> faces_along_curve(const TriMesh& mesh);
+
 class FaceTree {
  public:
   /// The vertices must be finite. The tree keeps a reference to the mesh.
@@ -53,7 +57,7 @@ class FaceTree {
                    const std::function<void(int, int)>& visit) const;
 
   const TriMesh& mesh_;
-  std::vector<int> order_;                  ///< Faces along a space-filling curve.
+  std::vector<int> order_;                  ///< faces_along_curve
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< Boxes of the faces in that order [m].
   std::vector<Node> nodes_;
   std::vector<int> leaves_;  ///< Indices of the leaf nodes, ascending in `first`.

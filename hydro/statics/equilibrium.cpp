@@ -7,7 +7,6 @@
 
 #include "hydro/decompositions.h"
 #include "hydro/interior/interior.h"
-#include "hydro/statics/immersed_mesh.h"
 #include "hydro/statics/trust_region.h"
 
 namespace hydro {
@@ -59,25 +58,11 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Ve
   return (Eigen::AngleAxisd(angle, axis) * orientation).normalized();
 }
 
-Flotation afloat(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& orientation,
-                 const std::vector<Tank>& tanks) {
-  const Eigen::Matrix3d R_WB = orientation.toRotationMatrix();
-  Flotation flotation{.orientation = orientation, .height = mesh.floating_height(R_WB, volume)};
-  flotation.draught = -flotation.height - mesh.lowest(R_WB);
-  flotation.hydrostatics = mesh.at(R_WB, flotation.height);
-  for (const Tank& tank : tanks) flotation.tanks.push_back(tank_statics(tank, orientation));
-  return flotation;
-}
-
 /// One body's search for an attitude of least energy.
 class Descent {
  public:
-  Descent(const TriMesh& mesh_B, double volume, const std::vector<Tank>& tanks, Freedom freedom)
-      : mesh_(mesh_B),
-        volume_(volume),
-        tanks_(tanks),
-        freedom_(freedom),
-        size_(mesh_B.vertices.colwise().norm().maxCoeff()) {}
+  Descent(const ImmersedMesh& mesh, double volume, const std::vector<Tank>& tanks, Freedom freedom)
+      : mesh_(mesh), volume_(volume), tanks_(tanks), freedom_(freedom), size_(mesh.radius()) {}
 
   Flotation from(const Eigen::Quaterniond& start) const {
     Flotation found = search(afloat(mesh_, volume_, start, tanks_));
@@ -109,7 +94,8 @@ class Descent {
     for (int i = 0; i < kMostSteps && reach > 1e-16 && !settled(model); ++i) {
       const Eigen::Vector2d step =
           trust_region_step(model.gradient, model.hessian, reach, kEnergyNoise * size_);
-      const Flotation there = afloat(mesh_, volume_, turned(here.orientation, step), tanks_);
+      const Flotation there =
+          afloat(mesh_, volume_, turned(here.orientation, step), tanks_, here.height);
       const Model model_there = model_of(there, freedom_);
       const double quality = merit(model, model_there, step);
       if (quality < 0.25) reach = 0.25 * std::min(reach, step.norm());
@@ -131,7 +117,8 @@ class Descent {
                                                             std::sin(k * std::numbers::pi / 4));
       const Eigen::Vector2d allowed =
           freedom_ == Freedom::all ? turn : Eigen::Vector2d(0, turn.y());
-      const Flotation there = afloat(mesh_, volume_, turned(found.orientation, allowed), tanks_);
+      const Flotation there =
+          afloat(mesh_, volume_, turned(found.orientation, allowed), tanks_, found.height);
       const double energy = model_of(there, freedom_).energy;
       if (energy >= least) continue;
       least = energy;
@@ -140,7 +127,7 @@ class Descent {
     return lowest;
   }
 
-  ImmersedMesh mesh_;
+  const ImmersedMesh& mesh_;
   double volume_;
   const std::vector<Tank>& tanks_;
   Freedom freedom_;
@@ -168,27 +155,33 @@ Eigen::Vector2d Flotation::gradient() const {
   return {-centre.y(), centre.x()};
 }
 
-Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
-                 const std::vector<Tank>& tanks) {
-  return afloat(ImmersedMesh(mesh_B), volume, orientation, tanks);
+Flotation afloat(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& orientation,
+                 const std::vector<Tank>& tanks, std::optional<double> guess) {
+  const FloatingMesh body = mesh.afloat(orientation.toRotationMatrix(), volume, guess);
+  Flotation flotation{.orientation = orientation,
+                      .height = body.height,
+                      .draught = body.draught,
+                      .hydrostatics = body.hydrostatics};
+  for (const Tank& tank : tanks) flotation.tanks.push_back(tank_statics(tank, orientation));
+  return flotation;
 }
 
-Stability stability(const TriMesh& mesh_B, const Flotation& flotation) {
-  const double size = mesh_B.vertices.colwise().norm().maxCoeff();
+Stability stability(const ImmersedMesh& mesh, const Flotation& flotation) {
+  const double size = mesh.radius();
   const double lowest = lowest_eigenvalue(flotation.effective_metacentric_heights());
   if (lowest < -kNoStability * size) return Stability::unstable;
   return lowest > kNoStability * size ? Stability::stable : Stability::neutral;
 }
 
-Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start,
+Flotation equilibrium(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& start,
                       const std::vector<Tank>& tanks) {
-  return Descent(mesh_B, volume, tanks, Freedom::all).from(start);
+  return Descent(mesh, volume, tanks, Freedom::all).from(start);
 }
 
-std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
+std::vector<RightingArm> righting_arms(const ImmersedMesh& mesh, double volume,
                                        const std::vector<double>& heels,
                                        const std::vector<Tank>& tanks) {
-  const Descent descent(mesh_B, volume, tanks, Freedom::pitch_only);
+  const Descent descent(mesh, volume, tanks, Freedom::pitch_only);
   std::vector<RightingArm> arms;
   double trim = 0;
   for (const double heel : heels) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "hydro/loads/loads.h"
 #include "hydro/mesh/mesh.h"
 #include "hydro/statics/hydrostatics.h"
+#include "hydro/statics/immersed_mesh.h"
 
 /// @file
 /// The attitude at which a body floats at rest, and its righting arms at other attitudes.
@@ -57,8 +59,9 @@ struct Flotation {
 /// Returns the body at the given orientation and the height where it displaces `volume`.
 /// @param volume   The mass of the body and of the water in its tanks, over the density of water
 ///     [m^3].
-Flotation afloat(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& orientation,
-                 const std::vector<Tank>& tanks = {});
+/// @param guess    The height where that is looked for first [m].
+Flotation afloat(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& orientation,
+                 const std::vector<Tank>& tanks = {}, std::optional<double> guess = std::nullopt);
 
 /// Stability of a floating body against small rotations.
 enum class Stability {
@@ -67,7 +70,7 @@ enum class Stability {
   unstable
 };
 /// Judges a flotation by its metacentric heights.
-Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
+Stability stability(const ImmersedMesh& mesh, const Flotation& flotation);
 
 /// Finds a local minimum of the potential energy downhill from `start`, by a trust-region Newton
 /// method on (1) with rotations of at most 0.2 rad about horizontal axes. From a saddle or a
@@ -75,7 +78,7 @@ Stability stability(const TriMesh& mesh_B, const Flotation& flotation);
 /// `trust_region_step`. Where a search ends, eight attitudes 1e-3 rad around are tried, so it also
 /// leaves a saddle that (1) shows from one side only or not at all. The remaining moment arm is
 /// round-off, a few 1e-15 of the body's radius.
-Flotation equilibrium(const TriMesh& mesh_B, double volume, const Eigen::Quaterniond& start,
+Flotation equilibrium(const ImmersedMesh& mesh, double volume, const Eigen::Quaterniond& start,
                       const std::vector<Tank>& tanks = {});
 
 /// A point of the curve of righting arms.
@@ -93,7 +96,7 @@ struct RightingArm {
 /// GZ is the horizontal distance from B to G across the body's x axis, −y_B, G that of body and
 /// water in its tanks. The work of righting
 /// the body is weight times ∫ GZ cos(trim) dheel.
-std::vector<RightingArm> righting_arms(const TriMesh& mesh_B, double volume,
+std::vector<RightingArm> righting_arms(const ImmersedMesh& mesh, double volume,
                                        const std::vector<double>& heels,
                                        const std::vector<Tank>& tanks = {});
 

@@ -17,7 +17,7 @@ Eigen::Quaterniond orientation_of(const RightingArm& arm) {
 }
 
 std::vector<RightingArm> curve(const IntactBody& body, const std::vector<double>& heels) {
-  return righting_arms(body.mesh_B, body.volume, heels, body.tanks);
+  return righting_arms(body.mesh, body.volume, heels, body.tanks);
 }
 
 /// The heel between two at which the flooding points meet the water, by bisection.
@@ -61,12 +61,11 @@ double area(const std::vector<RightingArm>& arms, double from, double to) {
 
 std::optional<double> flooding_freeboard(const IntactBody& body, const RightingArm& arm) {
   if (body.flooding_points_B.empty()) return std::nullopt;
-  const Eigen::RowVector3d up_B = orientation_of(arm).toRotationMatrix().row(2);
-  const double keel = (up_B * body.mesh_B.vertices).minCoeff();
+  const Eigen::Matrix3d R_WB = orientation_of(arm).toRotationMatrix();
   double lowest = HUGE_VAL;
   for (const Eigen::Vector3d& point : body.flooding_points_B)
-    lowest = std::min(lowest, up_B.dot(point));
-  return lowest - keel - arm.draught;
+    lowest = std::min(lowest, R_WB.row(2).dot(point));
+  return lowest - body.mesh.lowest(R_WB) - arm.draught;
 }
 
 IntactStability intact_stability(const IntactBody& body, double gm) {

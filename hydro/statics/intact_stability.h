@@ -20,7 +20,7 @@ namespace hydro {
 
 /// A ship at sea: its outside, what floats it, and where water may come in.
 struct IntactBody {
-  const TriMesh& mesh_B;           ///< Closed and outward.
+  const ImmersedMesh& mesh;
   double volume = 0;               ///< Displacement [m^3].
   const std::vector<Tank>& tanks;  ///< The water in it.
   /// Points through which water comes in when they are under water, in B.

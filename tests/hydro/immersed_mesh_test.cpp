@@ -22,7 +22,7 @@ using hydro::ImmersedMesh;
 using hydro::TriMesh;
 
 double height_of(const TriMesh& mesh, double volume) {
-  return ImmersedMesh(mesh).floating_height(Matrix3d::Identity(), volume);
+  return ImmersedMesh(mesh).afloat(Matrix3d::Identity(), volume).height;
 }
 
 /// Largest difference of two results, each over its own size for a body of radius `r`.

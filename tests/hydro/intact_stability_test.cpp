@@ -77,7 +77,7 @@ TEST(IntactStability, AreasOfAWallSidedBoxHaveTheirClosedForm) {
   // A point 3 m above the water at the side floods at atan(3/5), about 31°.
   const std::vector<Eigen::Vector3d> points = {{0, -5, draught + 3 - kg}, {0, 0, 5}};
   const IntactStability result = hydro::intact_stability(
-      {.mesh_B = box, .volume = volume, .tanks = tanks, .flooding_points_B = points}, gm);
+      {.mesh = box, .volume = volume, .tanks = tanks, .flooding_points_B = points}, gm);
   const double flooding = std::atan(0.6);
   ASSERT_TRUE(result.downflooding);
   EXPECT_NEAR(*result.downflooding, flooding, 2e-6);
@@ -94,7 +94,7 @@ TEST(IntactStability, WithoutFloodingPointsNothingComesIn) {
   const std::vector<Tank> tanks;
   const std::vector<Eigen::Vector3d> none;
   const IntactStability result = hydro::intact_stability(
-      {.mesh_B = box, .volume = 4, .tanks = tanks, .flooding_points_B = none}, 0.4);
+      {.mesh = box, .volume = 4, .tanks = tanks, .flooding_points_B = none}, 0.4);
   EXPECT_FALSE(result.downflooding);
 }
 
