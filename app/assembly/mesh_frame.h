@@ -25,7 +25,7 @@ enum class Rounding {
   of_floats    ///< With a relative precision of 6e-8.
 };
 
-/// A mesh as its file has it: vertices may be repeated, nothing is turned or scaled.
+/// A mesh as its file has it: nothing is turned or scaled.
 struct MeshFile {
   hydro::TriMesh mesh;                      ///< In the axes and unit of the file.
   StatedFrame frame;                        ///< Frame that the file states.

@@ -2,44 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "app/assembly/mesh_mending.h"
-#include "app/assembly/mesh_reader_process.h"
 #include "app/base/console.h"
 #include "app/scene/diagnostics.h"
 #include "hydro/mesh/mesh_check.h"
-#include "hydro/mesh/weld.h"
 
 namespace assembly {
-namespace {
 
 namespace fs = std::filesystem;
 using hydro::TriMesh;
-
-/// Distance within which vertices are one [m]: one step of a float, 2^-23, at the largest
-/// coordinate, or at the size of a mesh that is farther away and not rounded to floats.
-double weld_distance(const MeshFile& read) {
-  const hydro::TriMesh& mesh = read.mesh;
-  const double farthest = mesh.vertices.cwiseAbs().maxCoeff();
-  const double size = hydro::bounding_box(mesh).sizes().maxCoeff();
-  return 0x1p-23 * (read.rounding == Rounding::of_floats ? farthest : std::min(farthest, size));
-}
-
-}  // namespace
-
-MeshFile read_welded(const fs::path& file, scene::MeshFormats formats) {
-  MeshFile read = read_mesh_file(file, formats);
-  if (read.mesh.face_count() == 0) throw scene::InputError(file, "the file holds no triangles");
-  const Eigen::Index faces = read.mesh.face_count();
-  read.mesh = welded(read.mesh, weld_distance(read));
-  read.dropped = faces - read.mesh.face_count();
-  if (read.mesh.face_count() == 0)
-    throw scene::InputError(file, "all triangles of the file are degenerate");
-  return read;
-}
 
 std::string note_of_dropped(const MeshFile& read) {
   if (read.dropped == 0) return "";

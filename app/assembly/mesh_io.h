@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/assembly/mesh_parser.h"
+#include "app/assembly/mesh_reader_process.h"
 #include "app/base/reporter.h"
 #include "app/scene/shape.h"
 #include "hydro/mesh/mesh.h"
@@ -12,23 +12,6 @@
 /// Reads mesh files.
 
 namespace assembly {
-
-/// Reads the triangles of a mesh file, in a process of its own (mesh_reader_process.h). All parts
-/// become one mesh in the file's own axes and unit, and coinciding vertices are welded.
-///
-/// The file's node transformations place the parts. Polygons are cut into triangles; points, lines
-/// and unused vertices are dropped. The extension selects the format. The coordinates of OBJ, PLY,
-/// OFF and STL files are kept as the file has them; assimp, which reads the other formats, rounds
-/// them to floats, with a relative precision of 6e-8.
-///
-/// Vertices are welded if they differ along every axis by at most 1.2e-7 of the largest coordinate,
-/// one step of a float there; if the coordinates are not rounded to floats, of the size of the mesh
-/// where that is less. Formats that list the corners of each triangle repeat them bit for bit, and
-/// only seams that were computed twice (cos 0 and cos 2π) need a tolerance. Triangles that lose a
-/// corner have no area and are dropped.
-/// @param formats   Formats besides the common ones are read on request only.
-/// @throws InputError if the file cannot be read, has no triangle or a vertex that is not finite.
-MeshFile read_welded(const std::filesystem::path& file, scene::MeshFormats formats);
 
 /// Tells how many faces were dropped; empty if none was.
 std::string note_of_dropped(const MeshFile& read);

@@ -13,7 +13,7 @@ bool is_common_mesh_format(const std::filesystem::path& file);
 /// Reads the triangles of a mesh file, in this process: OBJ, STL, PLY, OFF and files of panels by
 /// readers of this program, whose coordinates are doubles, and other formats by assimp, which
 /// stores floats. A damaged file may make assimp crash, run on or fill the memory. The function is
-/// called in a process of its own, by read_mesh_file, which ends after it: what assimp holds is not
+/// called in a process of its own, by read_welded, which ends after it: what assimp holds is not
 /// freed.
 /// @throws InputError if the file cannot be read, is of another format or breaks a limit
 MeshFile parse_mesh(const std::filesystem::path& file, scene::MeshFormats formats);

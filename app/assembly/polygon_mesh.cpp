@@ -14,6 +14,12 @@ void PolygonMesh::fault(std::uint64_t place, const std::string& message) const {
   fault_at_byte(file_, place, message);
 }
 
+void PolygonMesh::reserve_triangles(std::size_t count) {
+  vertices_.reserve(3 * count);
+  corners_.reserve(3 * count);
+  polygons_.reserve(count);
+}
+
 void PolygonMesh::add_vertex(const Eigen::Vector3d& vertex, std::uint64_t place) {
   constexpr double kGreatest = std::numeric_limits<float>::max();
   if (!(vertex.cwiseAbs().maxCoeff() <= kGreatest) || !vertex.allFinite())

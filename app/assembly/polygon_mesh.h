@@ -26,6 +26,9 @@ class PolygonMesh {
   PolygonMesh(const std::filesystem::path& file, PlaceKind kind, int first_number)
       : file_(file), kind_(kind), first_number_(first_number) {}
 
+  /// Makes room for triangles with corners of their own.
+  void reserve_triangles(std::size_t count);
+
   /// @throws InputError if a coordinate is not finite or beyond the range of a float: computing
   ///     with its powers would overflow
   void add_vertex(const Eigen::Vector3d& vertex, std::uint64_t place);

@@ -29,6 +29,7 @@ bool is_binary(std::string_view bytes) {
 
 MeshFile read_binary(const fs::path& file, std::string_view bytes) {
   PolygonMesh mesh(file, PlaceKind::byte, 1);
+  mesh.reserve_triangles(announced(bytes));
   for (std::size_t facet = kHead + kCount; facet < bytes.size(); facet += kFacet) {
     const std::int64_t first = mesh.vertex_count() + 1;
     for (std::size_t at = facet + kNormal; at < facet + 4 * kNormal; at += kNormal) {

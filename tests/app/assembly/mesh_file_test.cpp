@@ -172,10 +172,10 @@ TEST_F(HostileMesh, HeadsThatAreCutOffAreFaults) {
 TEST_F(HostileMesh, WhatAFileStatesOfItsFrameIsKept) {
   write("a.bin", triangle_bytes());
   const MeshFile gltf =
-      assembly::read_mesh_file(write("a.gltf", triangle_in("a.bin")), MeshFormats::common);
+      assembly::read_welded(write("a.gltf", triangle_in("a.bin")), MeshFormats::common);
   EXPECT_EQ(gltf.frame.up, scene::UpAxis::y);
   EXPECT_EQ(gltf.frame.unit, 1.0);
-  const MeshFile obj = assembly::read_mesh_file(write("a.obj", kTetrahedron), MeshFormats::common);
+  const MeshFile obj = assembly::read_welded(write("a.obj", kTetrahedron), MeshFormats::common);
   EXPECT_EQ(obj.frame.up, std::nullopt);
   EXPECT_EQ(obj.frame.unit, std::nullopt);
 }
