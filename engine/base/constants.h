@@ -246,6 +246,9 @@ inline constexpr std::size_t kMostImpactPairs = 256;
 inline constexpr std::size_t kMostJointedImpactPairs = 4;
 inline constexpr int kMostImpacts = 4;       ///< Impacts in a step of a group that end a substep.
 inline constexpr int kMostOnsetQueries = 4;  ///< Collisions to find the onset of an impact.
+/// Time past a known onset at which bodies are looked at again, over the one that counts as the
+/// start of a substep [-]. Zero: round-off decides whether, and where, bodies touch at the onset.
+inline constexpr double kPastOnset = 1e-3;
 /// Gain of energy by restitution, over the work of the impact's reactions, that is round-off [-].
 inline constexpr double kImpactGain = 1e-9;
 /// Work that the reactions of an island that is not solved may do in a substep, over the energy of

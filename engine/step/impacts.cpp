@@ -216,6 +216,7 @@ std::optional<double> Impacts::passing(const Pair& pair, double h, const Speed& 
 
 std::optional<double> Impacts::onset(const Pair& pair, double time) const {
   const bool met = std::binary_search(touching_.begin(), touching_.end(), pair);
+  const double past = kPastOnset * begun_;
   std::optional<double> found;
   for (int i = 0; i < kMostOnsetQueries; ++i) {
     std::vector<std::pair<BodyId, hydro::BodyState>> places;
@@ -228,7 +229,10 @@ std::optional<double> Impacts::onset(const Pair& pair, double time) const {
       earliest = std::max(0.0, std::min(start, earliest.value_or(start)));
     }
     if (!earliest) return found;
-    found = time = *earliest;
+    const bool settled = found && *earliest > *found - past;
+    found = earliest;
+    if (settled) return found;
+    time = *found + past;
   }
   return found;
 }

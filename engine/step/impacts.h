@@ -17,9 +17,10 @@
 ///     g τ                                                                                  (E15)
 ///
 /// the substep ends at the onset, which follows from depth over speed of the overlap that the
-/// bodies drift into. The next substep has the length kFirstAfterImpact τ, or that part of a
-/// shorter step, and each further one grows by kImpactGrowth up to a step: some dozen substeps of
-/// the group per impact, whatever the step.
+/// bodies drift into, and is looked at again a little later, where that overlap is sure to be
+/// seen. The next substep has the length kFirstAfterImpact τ, or that part of a shorter step, and
+/// each further one grows by kImpactGrowth up to a step: some dozen substeps of the group per
+/// impact, whatever the step.
 ///
 /// Bodies that would pass through each other in the substep (passing.h) end it at their onset, too,
 /// and where kFirstAfterImpact τ would still take them through, the next one is shorter, so that
