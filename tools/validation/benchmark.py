@@ -28,9 +28,11 @@ kShown = {("submerged", ""): "submerged", ("half", ""): "half immersed",
           ("jonswap", ""): "half immersed, in a sea of 64 waves",
           ("jonswap256", ""): "half immersed, in a sea of 256 waves",
           ("half", "viscous"): "half immersed, with viscous drag",
+          ("waves", "viscous"): "half immersed, in a wave, with viscous drag",
+          ("jonswap", "viscous"): "half immersed, in a sea of 64 waves, with viscous drag",
           ("half", "no_tree"): "half immersed, without the tree",
           ("half", "plain"): "half immersed, plain sum, not vectorised",
-          ("half", "wind"): "half immersed, the wind alone, not vectorised"}
+          ("half", "wind"): "half immersed, the wind alone"}
 kBare = ("", "bare")
 # Arrangements of BM_Step, by the end of its name.
 kArrangements = {"": "apart", "crates": "in heaps of ten", "heap": "in one heap",
@@ -140,7 +142,7 @@ def gathered(rows: list[dict], machine: dict, repeats: int) -> Findings:
 
 def add(found: Findings, parts: list[str], seconds: float, row: dict) -> None:
     match parts:
-        case ["BM_Hydro", _, triangles, state, threads, *what]:
+        case ["BM_Hydro", "icosphere", triangles, state, threads, *what]:
             found.loads.append(Load(state, "/".join(what), int(threads), int(triangles), seconds))
         case ["BM_BareLoop", _, triangles]:
             found.loads.append(Load(*kBare, 1, int(triangles), seconds))
