@@ -77,17 +77,18 @@ struct FloatingState {
 
 struct FloatingReport {
   FloatingBody body;
-  FloatingBody upright;  ///< The body in the axes from which its heel counts.
-  std::shared_ptr<const hydro::ImmersedMesh> upright_mesh;
+  FloatingBody upright;    ///< The body in the axes from which its heel counts.
   double volume = 0;       ///< Volume of the whole body [m^3].
   std::string not_afloat;  ///< Reason why it does not float; nothing below is then set.
-  FloatingState start;     ///< State at the given attitude.
-  FloatingState rest;      ///< State at the resulting equilibrium.
+  std::shared_ptr<const hydro::ImmersedMesh> upright_mesh;  ///< That of `upright`.
+  FloatingState start;                                      ///< State at the given attitude.
+  FloatingState rest;                                       ///< State at the resulting equilibrium.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R_WB at rest, heading kept.
   std::optional<NaturalPeriods> natural_periods;  ///< None without FloatingBody::natural_periods.
   std::vector<hydro::RightingArm> righting_arms;
   hydro::IntactStability intact;
 
+  /// The body as the criteria of stability take it; it must float.
   hydro::IntactBody intact_body() const {
     return {.mesh = *upright_mesh,
             .volume = upright.displaced(),
