@@ -65,57 +65,56 @@ TEST(Contradictions, ThrowNoBodyInManySubsteps) {
   expect_nothing_thrown("contradictions_in_many_substeps.yaml", 10);
 }
 
+engine::SimulationSpec spec_of(const scene::Scene& scene) {
+  assembly::AddedMassStore store(assembly::cache_folder());
+  return assembly::build(scene, store).spec;
+}
+
+/// Places of all bodies after some times of so many steps, one after the other.
+std::vector<Eigen::Vector3d> way_of_bodies(const engine::SimulationSpec& spec, int times,
+                                           int steps) {
+  engine::Simulation simulation(spec);
+  std::vector<Eigen::Vector3d> places;
+  for (int i = 0; i < times; ++i) {
+    for (int k = 0; k < steps; ++k) simulation.step();
+    for (const hydro::BodyState& state : simulation.states()) places.push_back(state.position);
+  }
+  return places;
+}
+
+double largest_distance(const std::vector<Eigen::Vector3d>& a,
+                        const std::vector<Eigen::Vector3d>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+  return largest;
+}
+
 /// Places of the teapot that falls into the water, every tenth of a second.
 std::vector<Eigen::Vector3d> way_of_the_teapot(int steps_a_second) {
   scene::Scene scene = scene::read(kScenes / "teapot_drop.yaml");
   scene.step = 1.0 / steps_a_second;
-  assembly::AddedMassStore store(assembly::cache_folder());
-  engine::Simulation simulation(assembly::build(scene, store).spec);
-  std::vector<Eigen::Vector3d> places;
-  for (int i = 0; i < 36; ++i) {
-    for (int k = 0; k < steps_a_second / 10; ++k) simulation.step();
-    places.push_back(simulation.states()[0].position);
-  }
-  return places;
+  return way_of_bodies(spec_of(scene), 36, steps_a_second / 10);
 }
 
 // It has a hollow in few of the attitudes that it falls through. Steps of 1/100 and 1/300 s are off
 // by at most 0.93 and 0.29 mm, where steps of 1/960 s stand for the truth.
 TEST(Teapot, FallsTheSameWayInStepsOfAnyLength) {
   const std::vector<Eigen::Vector3d> fine = way_of_the_teapot(960);
-  for (const int steps : {100, 300}) {
-    const std::vector<Eigen::Vector3d> coarse = way_of_the_teapot(steps);
-    for (std::size_t i = 0; i < fine.size(); ++i)
-      EXPECT_LT((coarse[i] - fine[i]).norm(), support::tolerance(1e-3)) << steps << ", " << i;
-  }
-}
-
-/// Places of the crates afloat after each step of a second, one after the other. The eighth is
-/// moved at the start.
-std::vector<Eigen::Vector3d> way_of_the_crates(double moved) {
-  assembly::AddedMassStore store(assembly::cache_folder());
-  engine::SimulationSpec spec =
-      assembly::build(scene::read(kScenes / "crates_afloat.yaml"), store).spec;
-  spec.bodies[7].initial.position.x() += moved;
-  engine::Simulation simulation(spec);
-  std::vector<Eigen::Vector3d> places;
-  for (int i = 0; i < 100; ++i) {
-    simulation.step();
-    for (const hydro::BodyState& state : simulation.states()) places.push_back(state.position);
-  }
-  return places;
+  for (const int steps : {100, 300})
+    EXPECT_LT(largest_distance(way_of_the_teapot(steps), fine), support::tolerance(1e-3)) << steps;
 }
 
 // An impact ends a substep at its onset, where round-off must not decide what touches: the crates
 // would be off by micrometres at once, and by centimetres after six seconds.
 TEST(CratesAfloat, MeetWhereTheyDoWhateverTheLastDigitsOfAPlace) {
-  const std::vector<Eigen::Vector3d> once = way_of_the_crates(0);
+  engine::SimulationSpec spec = spec_of(scene::read(kScenes / "crates_afloat.yaml"));
+  double& x = spec.bodies[7].initial.position.x();
+  const double before = x;
+  const std::vector<Eigen::Vector3d> once = way_of_bodies(spec, 100, 1);
   for (const double moved : {1e-14, -1e-14, 1e-13, -1e-13, 3e-13, -3e-13}) {
-    const std::vector<Eigen::Vector3d> other = way_of_the_crates(moved);
-    double apart = 0;
-    for (std::size_t i = 0; i < once.size(); ++i)
-      apart = std::max(apart, (other[i] - once[i]).norm());
-    EXPECT_LT(apart, support::tolerance(1e-11)) << moved;  // some times what it was moved
+    x = before + moved;
+    EXPECT_LT(largest_distance(way_of_bodies(spec, 100, 1), once), support::tolerance(1e-11))
+        << moved;  // some times what it was moved
   }
 }
 
